@@ -177,6 +177,10 @@ enum class Number : std::int32_t {
     beam_mass = PDN_NUMBER_BEAM_MASS,
     beam_damping = PDN_NUMBER_BEAM_DAMPING,
     mass_damping = PDN_NUMBER_MASS_DAMPING,
+    shell_stiffness = PDN_NUMBER_SHELL_STIFFNESS,
+    shell_mass = PDN_NUMBER_SHELL_MASS,
+    shell_damping = PDN_NUMBER_SHELL_DAMPING,
+    shell_thickness = PDN_NUMBER_SHELL_THICKNESS,
 };
 
 /** What of a quantity a condition holds. */
@@ -205,6 +209,7 @@ enum class SignalOf : std::int32_t {
     beam_load = PDN_SIGNAL_OF_BEAM_LOAD,
     gravity = PDN_SIGNAL_OF_GRAVITY,
     relation = PDN_SIGNAL_OF_RELATION,
+    shell_load = PDN_SIGNAL_OF_SHELL_LOAD,
 };
 
 /** What has an id and may have a label. */
@@ -227,6 +232,7 @@ enum class ForceKind : std::int32_t {
     bushing = PDN_FORCE_IS_BUSHING,
     user_force = PDN_FORCE_IS_USER_FORCE,
     controller = PDN_FORCE_IS_CONTROLLER,
+    surface_force = PDN_FORCE_IS_SURFACE_FORCE,
 };
 
 /** Numbers of a force. */
@@ -915,6 +921,117 @@ class ForceState
     const pdn_force_state &state_;
 };
 
+/** What a user's forces on shells may depend on: time and the motions of points, from 0 on. */
+class SurfaceState
+{
+  public:
+    explicit SurfaceState(const pdn_surface_state &state) : state_(state)
+    {
+    }
+    double time() const
+    {
+        return state_.time;
+    }
+    /** Id of the shell element. */
+    std::int32_t element() const
+    {
+        return state_.element;
+    }
+    std::size_t point_count() const
+    {
+        return state_.point_count;
+    }
+    /** xi and eta, from -1 to 1. */
+    std::array<double, 2> place(std::size_t point) const
+    {
+        return entry<2>(state_.places, point);
+    }
+    /** Reference area, or length of an edge, that a point stands for. */
+    double size(std::size_t point) const
+    {
+        return entry<1>(state_.sizes, point)[0];
+    }
+    Vector3 position(std::size_t point) const
+    {
+        return entry<3>(state_.positions, point);
+    }
+    /** Axes of the point; the third is the normal. */
+    Matrix3 rotation(std::size_t point) const
+    {
+        return entry<9>(state_.rotations, point);
+    }
+    /** Along the axes that the force was added with, as all that follows. */
+    Vector6 velocity(std::size_t point) const
+    {
+        return entry<6>(state_.velocities, point);
+    }
+
+  private:
+    template <std::size_t C>
+    std::array<double, C> entry(const double *array, std::size_t point) const
+    {
+        if (point >= state_.point_count) {
+            throw std::out_of_range("SurfaceState: no such point");
+        }
+        std::array<double, C> out;
+        for (std::size_t i = 0; i < C; ++i) {
+            out[i] = array[C * point + i];
+        }
+        return out;
+    }
+
+    const pdn_surface_state &state_;
+};
+
+/** Where a user's forces on shells go, per area or length; all are zero at first. */
+class SurfaceValues
+{
+  public:
+    SurfaceValues(std::size_t point_count, pdn_surface_values &values)
+        : points_(point_count), values_(values)
+    {
+    }
+    /** Component 0, ... 5 of the force at a point and the moment about it. */
+    double &force(std::size_t point, std::size_t component)
+    {
+        return values_.forces[6 * point + checked(point, component)];
+    }
+    /** Whether tangents are wanted; otherwise leave them. */
+    bool tangents_wanted() const
+    {
+        return values_.by_motion != nullptr;
+    }
+    /** Derivative of a component at a point by a displacement or turn of this point. */
+    double &by_motion(std::size_t point, std::size_t component, std::size_t of_component)
+    {
+        return tangent(values_.by_motion, point, component, of_component);
+    }
+    /** The same by a velocity or angular velocity. */
+    double &by_velocity(std::size_t point, std::size_t component, std::size_t of_component)
+    {
+        return tangent(values_.by_velocity, point, component, of_component);
+    }
+
+  private:
+    std::size_t checked(std::size_t point, std::size_t component) const
+    {
+        if (point >= points_ || component >= 6) {
+            throw std::out_of_range("SurfaceValues: no such component");
+        }
+        return component;
+    }
+    double &tangent(double *blocks, std::size_t point, std::size_t row, std::size_t column)
+    {
+        if (blocks == nullptr) {
+            throw std::logic_error("SurfaceValues: tangents are not wanted");
+        }
+        return blocks[36 * point + 6 * checked(point, column) + checked(point, row)];
+    }
+
+    std::size_t points_;
+    pdn_surface_values &values_;
+};
+
 /** Where a user's forces go; all are zero at first. */
 class ForceValues
 {
@@ -1515,6 +1632,21 @@ class Model
     {
         return id([&](Id *out) { return pdn_model_shell_element_count(get(), out); });
     }
+    /** Fixes nodes to a body, one of them or any other, by a rigid joint each; gives these. */
+    std::vector<Id> add_rigid_joints(Id body, Ids nodes)
+    {
+        return rigid_joints([&](Id *first, Id *joints) {
+            return pdn_model_add_rigid_joints(get(), body, nodes.data(), nodes.size(), first,
+                                              joints);
+        });
+    }
+    /** Fixes an edge of a shell over a surface or a grid to a body; gives the rigid joints. */
+    std::vector<Id> add_rigid_edge(Id body, const pdn_shell &shell, ShellPlace edge)
+    {
+        return rigid_joints([&](Id *first, Id *joints) {
+            return pdn_model_add_rigid_edge(get(), body, &shell, detail::c(edge), first, joints);
+        });
+    }
     /** Initial stress: forces and moments where nothing is strained, as of the section. */
     void set_shell_prestress(Id first_element, Id elements,
                              const std::array<double, 12> &resultants)
@@ -1769,6 +1901,19 @@ class Model
         detail::check(pdn_model_controller_state(get(), force, index, &initial, &size));
         return {initial, size};
     }
+    /** Forces void(const SurfaceState &, SurfaceValues &) on shell elements; gives the first. */
+    template <class Forces>
+    Id add_surface_force(Id first_element, Id elements, ShellPlace place, Frame frame,
+                         Tangents tangents, Forces forces)
+    {
+        Id first = 0;
+        detail::hand_over(std::move(forces), [&](void *owned, pdn_destroy_fn destroy) {
+            return pdn_model_add_surface_force(get(), first_element, elements, detail::c(place),
+                                               detail::c(frame), detail::c(tangents),
+                                               &evaluate_surface<Forces>, owned, destroy, &first);
+        });
+        return first;
+    }
     /** Compares the tangents that a law or user's force gives with differences. */
     pdn_tangent_check check_tangents(Id force, double period) const
     {
@@ -1794,6 +1939,16 @@ class Model
             which.push_back(detail::c(coordinate));
         }
         return which;
+    }
+    template <class Add> static std::vector<Id> rigid_joints(Add add)
+    {
+        Id first = 0, count = 0;
+        detail::check(add(&first, &count));
+        std::vector<Id> all;
+        for (Id k = 0; k < count; ++k) {
+            all.push_back(first + k);
+        }
+        return all;
     }
     pdn_status relation(Ids joints, const std::vector<Coordinate> &coordinates, Reals coefficients,
                         const pdn_signal *signal, Id *out)
@@ -1848,6 +2003,16 @@ class Model
             const ForceState motions(*state);
             ForceValues out(state->node_count, *values);
             (*static_cast<Forces *>(forces))(motions, out);
+        });
+    }
+    template <class Forces>
+    static std::int32_t evaluate_surface(const pdn_surface_state *state, pdn_surface_values *values,
+                                         void *forces) noexcept
+    {
+        return detail::guarded([=] {
+            const SurfaceState points(*state);
+            SurfaceValues out(state->point_count, *values);
+            (*static_cast<Forces *>(forces))(points, out);
         });
     }
 

@@ -469,16 +469,8 @@ fn a_rigid_edge_passes_a_couple_about_the_normal_to_a_beam_along_it() {
         clamp_edge(&mut model, &patch.edge(PatchEdge::StartU));
         let middle = Vector3::new(length, 0.5 * width, 0.0);
         let body = ball(&mut model, 1.0, 1.0, &middle);
-        for node in patch.edge(PatchEdge::EndU) {
-            let at = model.node(node).unwrap().position;
-            join(
-                &mut model,
-                JointKind::Rigid,
-                [Some(body), Some(node)],
-                &at,
-                &Vector3::z(),
-            );
-        }
+        let edge = patch.edge(PatchEdge::EndU);
+        model.add_rigid_joints(Some(body), &edge).unwrap();
         let stiffness = [1e6, 1e6, 1e6, torsion, 1e3, 1e3];
         let of_beam = SectionInput::diagonal(&stiffness, &[1.0, 1e-3, 1e-3, 1e-3]).unwrap();
         let end = middle + Vector3::z() * beam_length;

@@ -7,10 +7,10 @@ use common::models::shells::*;
 use common::{clamp, cosine, damped_section, options};
 use nalgebra::Vector3;
 use periodyn::collocation::GridState;
-use periodyn::elements::{IsotropicShell, LoadFrame, ShellLoadPlace};
+use periodyn::elements::{IsotropicShell, LoadFrame, ShellLoadPlace, ShellPoint, ShellSide};
 use periodyn::model::*;
 use periodyn::output::{Modes, NodeQuantity, Quantity, Solution};
-use periodyn::quantity::Feature;
+use periodyn::quantity::{Feature, ShellQuantity};
 use periodyn::solve::*;
 use std::f64::consts::TAU;
 
@@ -189,6 +189,7 @@ fn plate_with_parameters() -> (Model, f64, Vec<usize>, usize) {
         ("modulus", 1.0, both(Target::ShellStiffness)),
         ("density", 1.0, both(Target::ShellMass)),
         ("damping", 1.0, both(Target::ShellDamping)),
+        ("thickness", 1.0, both(Target::ShellThickness)),
         ("pressure", 1.0, amplitude(SignalPlace::ShellLoad(0, 2))),
         ("swing", 1.0, amplitude(SignalPlace::Prescribed(0))),
     ];
@@ -264,4 +265,101 @@ fn sensitivities_to_shells_and_their_loads_are_differences_of_solves() {
             );
         }
     }
+}
+
+#[test]
+fn sensitivities_to_thickness_are_differences_of_solves() {
+    let (mut model, period) = flapping_plate(0.4, [2, 1], 3);
+    let thickness = model.add_parameter("thickness", 1.1, 1.0).unwrap();
+    for element in 0..2 {
+        let target = Target::ShellThickness(element);
+        model.move_by_parameter(thickness, target, 1.0).unwrap();
+    }
+    let solved = |model: &Model| {
+        let mut options = options(11);
+        options.newton.tolerance = 1e-12;
+        let solution = Solution::solve(model, period, &options, &mut |_, _| true).unwrap();
+        let report = solution.report();
+        assert_eq!(solution.outcome(), Outcome::Converged, "{report}");
+        solution
+    };
+    let point = ShellPoint::new([-0.5, 0.2]);
+    let height = Quantity::Node(model.node_count() - 2, NodeQuantity::Position).component(2);
+    let of_shell = |quantity: ShellQuantity| Quantity::Shell {
+        element: 0,
+        point,
+        quantity,
+    };
+    let bending = of_shell(ShellQuantity::Resultant).component(4);
+    // It depends on the thickness by itself, too.
+    let stress = of_shell(ShellQuantity::SurfaceStress(ShellSide::Top)).component(0);
+    let all = [height, bending, stress];
+    let dependents = all.map(|of| Dependent::Feature(of, Feature::Cosine(1)));
+    let values =
+        |solution: &Solution| all.map(|of| solution.series(of).unwrap().remove(0).cosines[0]);
+    let solution = solved(&model);
+    let step = 1e-3;
+    let at = |n: f64| {
+        let mut beside = model.clone();
+        beside.set_parameter(thickness, 1.1 + n * step).unwrap();
+        values(&solved(&beside))
+    };
+    let [a, b, c, d] = [at(1.0), at(-1.0), at(2.0), at(-2.0)];
+    let free = [Free::Parameter(thickness)];
+    for method in [SensitivityMethod::Direct, SensitivityMethod::Adjoint] {
+        let options = SensitivityOptions {
+            method,
+            ..SensitivityOptions::default()
+        };
+        let solve = (&model, solution.details());
+        let found = solve_sensitivities(solve, (&[], &[]), &dependents, &free, &options).unwrap();
+        for i in 0..all.len() {
+            let difference = (8.0 * (a[i] - b[i]) - (c[i] - d[i])) / (12.0 * step);
+            let slope = found.derivatives[(i, 0)];
+            let off = (slope / difference - 1.0).abs();
+            println!("{i}, {method:?}: {slope:e}, off {off:e}");
+            // The fourth power of the step, and what Newton leaves over the step.
+            assert!(off < 1e-8, "{i}, {method:?}: {slope:e} {difference:e}");
+        }
+    }
+}
+
+#[test]
+fn a_thickness_is_that_of_a_plate_made_so() {
+    let factor = 1.3;
+    let solved = |thickness: f64, moved: Option<f64>| {
+        let section = IsotropicShell::new(thickness, 2e8, 0.3, 1100.0);
+        let section = section.section().unwrap();
+        let mut model = Model::new();
+        let patch = add_strip(&mut model, [1.0, 0.5], &section, &mesh([2, 1], [4, 3]));
+        clamp_edge(&mut model, &patch.edge(PatchEdge::StartU));
+        if let Some(value) = moved {
+            let parameter = model.add_parameter("thickness", value, 1.0).unwrap();
+            for element in 0..2 {
+                let target = Target::ShellThickness(element);
+                model.move_by_parameter(parameter, target, 1.0).unwrap();
+            }
+            // No thickness is left as it is.
+            for wrong in [0.0, -1.0] {
+                let error = model.set_parameter(parameter, wrong).unwrap_err();
+                assert!(
+                    error.to_string().contains("factor of the thickness"),
+                    "{error}"
+                );
+            }
+        }
+        let modes = ModesOptions {
+            count: 4,
+            ..ModesOptions::default()
+        };
+        let modes = Modes::solve(&model, &modes, &mut |_, _| true).unwrap();
+        assert_eq!(modes.outcome(), Outcome::Converged);
+        let modes = modes.modes().iter();
+        modes.map(|mode| mode.eigenvalue.im).collect::<Vec<f64>>()
+    };
+    let (made, moved) = (solved(0.02 * factor, None), solved(0.02, Some(factor)));
+    for (made, moved) in made.iter().zip(&moved) {
+        assert!((made / moved - 1.0).abs() < 1e-10, "{made} {moved}");
+    }
+    assert!(moved[0] > 1.25 * solved(0.02, None)[0]);
 }

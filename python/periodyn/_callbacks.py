@@ -136,6 +136,41 @@ class ControllerValues:
 def _controller(state, values, data):
     ffi.from_handle(data)(
         ControllerState(state), ControllerValues(values, state, values.output_count))
+
+
+class SurfaceState:
+    """What forces on a shell element may depend on: `time`, the id of the `element`, and of its
+    points `places` (points x 2), `sizes` (the area or length that each stands for), `positions`
+    (points x 3), `rotations` (points x 3 x 3, the normal last) and `velocities` (points x 6), along
+    the axes that were asked for; during the call only."""
+
+    def __init__(self, c):
+        count = c.point_count
+        self.time, self.element = c.time, c.element
+        self.places = view(c.places, count, 2)
+        self.sizes = view(c.sizes, count)
+        self.positions = view(c.positions, count, 3)
+        self.rotations = view(c.rotations, count, 3, 3).swapaxes(1, 2)
+        self.velocities = view(c.velocities, count, 6)
+
+
+class SurfaceValues:
+    """Where forces on a shell element go: `forces` (points x 6) for each unit of area or length,
+    all zero at first; `by_motion` and `by_velocity` (points x 6 x 6, row: force, column: motion),
+    None where they are not wanted."""
+
+    def __init__(self, c, count):
+        self.forces = view(c.forces, count, 6)
+        self.by_motion, self.by_velocity = (
+            None if tangent == ffi.NULL else view(tangent, count, 6, 6).swapaxes(1, 2)
+            for tangent in (c.by_motion, c.by_velocity)
+        )
+
+
+@ffi.callback("int32_t(pdn_surface_state *, pdn_surface_values *, void *)", error=1,
+              onerror=_failed)
+def _surface_force(state, values, data):
+    ffi.from_handle(data)(SurfaceState(state), SurfaceValues(values, state.point_count))
     return 0
 
 
@@ -155,6 +190,7 @@ surface = _taker("surface", _surface)
 coordinate_law = _taker("function", _coordinate_law)
 user_force = _taker("function", _user_force)
 controller = _taker("function", _controller)
+surface_force = _taker("function", _surface_force)
 _told = _taker("progress", _progress)
 _followed = _taker("progress", _branch)
 

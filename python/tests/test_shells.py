@@ -36,9 +36,9 @@ def test_a_traction_stretches_a_strip(add):
     shell = add(model)
     assert (shell.nodes_u, shell.nodes_v, shell.first_element) == (5, 2, 0)
     assert model.shell_element_count() == 2
-    for v in range(shell.nodes_v):
-        node = model.shell_patch_node(shell, 0, v)
-        model.add_rigid_joint(pdn.GROUND, node, model.node_frame(node).position)
+    assert model.add_rigid_joints(pdn.GROUND, [model.shell_patch_node(shell, 0, 0)]) == (0, 1)
+    # The corner is held already.
+    assert model.add_rigid_edge(pdn.GROUND, shell, pdn.SHELL_EDGE_START_XI) == (1, 1)
     model.add_shell_load(1, 1, pdn.SHELL_EDGE_END_XI, pdn.FRAME_SPACE, pdn.FORCE_1, 600.0)
     solution = model.solve_static()
     assert solution.converged
@@ -53,6 +53,33 @@ def test_a_traction_stretches_a_strip(add):
     model.set_shell_prestress(0, 2, 600 * np.eye(12)[0])
     place = model.solve_static().node_position(tip, [0])[0, 0]
     np.testing.assert_allclose(place, LENGTH, rtol=1e-12)
+
+
+def test_a_pressure_by_a_function_is_the_load():
+    def bent(given):
+        model = pdn.Model()
+        shell = over_rectangle(model)
+        model.add_rigid_edge(pdn.GROUND, shell, pdn.SHELL_EDGE_START_XI)
+        if given is None:
+            model.add_shell_load(1, 1, pdn.SHELL_SURFACE, pdn.FRAME_MATERIAL, pdn.FORCE_3, 0.05)
+        else:
+            def wind(state, values):
+                assert state.element == 1 and state.places.shape == (len(state.sizes), 2)
+                np.testing.assert_allclose(state.sizes.sum(), LENGTH * WIDTH / 2)
+                values.forces[:, 2] = 0.05 - 3 * state.velocities[:, 2]
+                if values.by_velocity is not None:
+                    values.by_velocity[:, 2, 2] = -3
+
+            force = model.add_surface_force(1, 1, pdn.SHELL_SURFACE, pdn.FRAME_MATERIAL, given,
+                                            wind)
+            assert model.force(force).shell_element == 1
+            if given == pdn.TANGENTS_GIVEN:
+                assert model.check_tangents(force, 1.0).error < 1e-7
+        return model.solve_static().node_position(model.shell_node(1, 2, 0), [0])[0, 2]
+
+    assert bent(None) > 1e-3
+    for given in (pdn.TANGENTS_GIVEN, pdn.TANGENTS_DIFFERENCED):
+        np.testing.assert_allclose(bent(given), bent(None), rtol=1e-11)
 
 
 def test_cells_and_surfaces_have_their_masses():

@@ -8,6 +8,7 @@ use super::model::{PDN_GROUND, choose, count, force, index, joint, pdn_frame, pd
 use super::options::Options;
 use super::parameter::{PDN_NUMBER_DAMPING, PDN_NUMBER_STIFFNESS, signal_place};
 use super::section::pdn_section;
+use super::shell::place_code;
 use super::status::pdn_status;
 use crate::elements::{Attachment, JointKind, LoadFrame};
 use crate::error::Result;
@@ -29,6 +30,8 @@ pub const PDN_FORCE_IS_BUSHING: i32 = 1105;
 pub const PDN_FORCE_IS_USER_FORCE: i32 = 1106;
 /// Kind of force: a controller.
 pub const PDN_FORCE_IS_CONTROLLER: i32 = 1107;
+/// Kind of force: forces of the user on a shell element.
+pub const PDN_FORCE_IS_SURFACE_FORCE: i32 = 1108;
 
 /// Numbers of a force: relaxation times of the branches of a viscoelastic element. Parameters do
 /// not move them.
@@ -71,7 +74,7 @@ unsafe impl Options for pdn_joint_info {
 pub struct pdn_force_info {
     /// Set by the initialiser.
     pub struct_size: usize,
-    /// PDN_FORCE_IS_SPRING_DAMPER ... PDN_FORCE_IS_CONTROLLER, of which
+    /// PDN_FORCE_IS_SPRING_DAMPER ... PDN_FORCE_IS_SURFACE_FORCE; of a controller
     /// ::pdn_model_controller_counts tells more.
     pub kind: i32,
     /// Id of the joint on whose coordinate it acts, or -1.
@@ -103,11 +106,15 @@ pub struct pdn_force_info {
     pub second_position: [f64; 3],
     /// Axes of the second frame, likewise.
     pub second_rotation: [f64; 9],
+    /// Of forces of the user on a shell, id of the element; else -1.
+    pub shell_element: i32,
+    /// Where on it: PDN_SHELL_SURFACE or an edge; else -1.
+    pub shell_place: i32,
 }
 
 // SAFETY: all fields are plain numbers, `struct_size` is the first, no padding.
 unsafe impl Options for pdn_force_info {
-    const SIZES: &'static [usize] = &[248];
+    const SIZES: &'static [usize] = &[248, 256];
 }
 
 /// Prepares a struct for ::pdn_model_joint; use `PDN_INIT(pdn_joint_info, &info)`.
@@ -193,6 +200,7 @@ fn force_kind(force: &ForceDefinition) -> i32 {
         ForceDefinition::Bushing(_) => PDN_FORCE_IS_BUSHING,
         ForceDefinition::NodeForces { .. } => PDN_FORCE_IS_USER_FORCE,
         ForceDefinition::Controller(_) => PDN_FORCE_IS_CONTROLLER,
+        ForceDefinition::SurfaceForces { .. } => PDN_FORCE_IS_SURFACE_FORCE,
     }
 }
 
@@ -229,8 +237,15 @@ pub unsafe extern "C" fn pdn_model_force(
             branch_count: numbers(ForceNumber::RelaxationTime),
             node_count: force.user_nodes().len() as i32,
             rest: force.rest(),
+            shell_element: -1,
+            shell_place: -1,
             ..pdn_force_info::defaults()
         };
+        if let ForceDefinition::SurfaceForces { element, place, .. } = force {
+            // In range, as all ids.
+            info.shell_element = *element as i32;
+            info.shell_place = place_code(*place);
+        }
         if let Some(ends) = force.ends() {
             let [first, second] = frames_of(&model, ends);
             [info.first, info.second] = ends.map(|end| id_of(end.node));

@@ -30,6 +30,16 @@ pub const PDN_NUMBER_BEAM_MASS: i32 = 3605;
 pub const PDN_NUMBER_BEAM_DAMPING: i32 = 3606;
 /// A parameter moves the damping in proportion to mass, ::pdn_model_set_mass_damping.
 pub const PDN_NUMBER_MASS_DAMPING: i32 = 3607;
+/// A parameter moves a factor of the stiffness of a shell element.
+pub const PDN_NUMBER_SHELL_STIFFNESS: i32 = 3608;
+/// A parameter moves a factor of the mass of a shell element.
+pub const PDN_NUMBER_SHELL_MASS: i32 = 3609;
+/// A parameter moves a factor of the damping of a shell element.
+pub const PDN_NUMBER_SHELL_DAMPING: i32 = 3610;
+/// A parameter moves a factor of the thickness of a shell element, more than zero, all its layers
+/// alike: stiffness, damping and mass against stretching grow with it, against bending and turning
+/// with its cube, what couples them with its square.
+pub const PDN_NUMBER_SHELL_THICKNESS: i32 = 3611;
 
 /// The signal of an actuator, by its force id.
 pub const PDN_SIGNAL_OF_ACTUATOR: i32 = 3700;
@@ -43,6 +53,8 @@ pub const PDN_SIGNAL_OF_BEAM_LOAD: i32 = 3703;
 pub const PDN_SIGNAL_OF_GRAVITY: i32 = 3704;
 /// The signal of a linear relation between joint coordinates, by its id.
 pub const PDN_SIGNAL_OF_RELATION: i32 = 3705;
+/// The signal of a component of a load on shells, in the order in which these were added.
+pub const PDN_SIGNAL_OF_SHELL_LOAD: i32 = 3706;
 
 /// Part of a signal: the mean that is added to its shape.
 pub const PDN_PART_MEAN: i32 = 3800;
@@ -107,11 +119,12 @@ fn count(value: i32, name: &str) -> Result<usize> {
 /// @param model  the model; not NULL
 /// @param parameter  id of the parameter
 /// @param number  PDN_NUMBER_STIFFNESS, ...
-/// @param index  of the force, the body or the beam element; 0 for PDN_NUMBER_MASS_DAMPING
+/// @param index  of the force, the body, the beam or the shell element; 0 for
+///     PDN_NUMBER_MASS_DAMPING
 /// @param power  power, from 1, of a stiffness or damping; 0 for all else
 /// @param factor  the number for a unit of the parameter, not zero
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID (no such parameter or number),
-///     PDN_ERR_VALUE (another parameter moves it already)
+///     PDN_ERR_VALUE (another parameter moves it already, or a thickness is not positive)
 ///
 /// Threads: exclusive use of `model`.
 /// @since 0.1
@@ -137,6 +150,10 @@ pub unsafe extern "C" fn pdn_model_move_number(
             PDN_NUMBER_BEAM_MASS => Target::BeamMass(at),
             PDN_NUMBER_BEAM_DAMPING => Target::BeamDamping(at),
             PDN_NUMBER_MASS_DAMPING => Target::MassDamping,
+            PDN_NUMBER_SHELL_STIFFNESS => Target::ShellStiffness(at),
+            PDN_NUMBER_SHELL_MASS => Target::ShellMass(at),
+            PDN_NUMBER_SHELL_DAMPING => Target::ShellDamping(at),
+            PDN_NUMBER_SHELL_THICKNESS => Target::ShellThickness(at),
             other => return Err(Error::value("number", "a constant PDN_NUMBER_...", other)),
         };
         model.move_by_parameter(id, target, factor)
@@ -157,6 +174,7 @@ pub(super) fn signal_place(place: i32, index: i32, component: i32) -> Result<Sig
         PDN_SIGNAL_OF_BEAM_LOAD => SignalPlace::DistributedLoad(at, of_load()?),
         PDN_SIGNAL_OF_GRAVITY => SignalPlace::Gravity(count(component, "component")?),
         PDN_SIGNAL_OF_RELATION => SignalPlace::Relation(at),
+        PDN_SIGNAL_OF_SHELL_LOAD => SignalPlace::ShellLoad(at, of_load()?),
         other => return Err(Error::value("place", "a constant PDN_SIGNAL_OF_...", other)),
     })
 }

@@ -580,38 +580,47 @@ pub unsafe extern "C" fn pdn_model_shell_patch_node(
     guard(|call| {
         let model = call.shared(model, "model")?;
         let shell = *call.reference(shell, "shell")?;
-        let u = place(u, shell.nodes_u, "u")?;
-        let v = place(v, shell.nodes_v, "v")?;
+        place(u, shell.nodes_u, "u")?;
+        place(v, shell.nodes_v, "v")?;
         let out = call.out(node, "node")?;
-        let numbers = [
-            ("elements_u", shell.elements_u),
-            ("elements_v", shell.elements_v),
-        ];
-        for (name, count) in numbers {
-            if count < 1 {
-                return Err(Error::value(name, "1 or more", count).within("shell"));
-            }
-        }
-        let degree = |nodes: i32, elements: i32| ((nodes - 1) / elements) as usize;
-        let degrees = [
-            degree(shell.nodes_u, shell.elements_u),
-            degree(shell.nodes_v, shell.elements_v),
-        ];
-        let last = [shell.elements_u, shell.elements_v].map(|n| n as usize - 1);
-        let [i, j] = [0, 1].map(|d| ([u, v][d] / degrees[d].max(1)).min(last[d]));
-        let first = usize::try_from(shell.first_element).unwrap_or(usize::MAX);
-        let element = first.saturating_add(i * (last[1] + 1) + j);
-        let [xi, eta] = [u - i * degrees[0], v - j * degrees[1]];
-        let definition = model.shells.get(element);
-        let found = definition.filter(|d| d.sides == degrees.map(|degree| degree + 1));
-        let found = found.and_then(|d| d.nodes.get(xi * (degrees[1] + 1) + eta));
-        let Some(&found) = found else {
-            let expected = "a shell of this model, as the function that added it wrote it";
-            return Err(Error::value("shell", expected, "another"));
-        };
         // In range, as all ids of nodes.
-        out.set(found as i32);
+        out.set(patch_node(&model, &shell, [u, v])? as i32);
         Ok(())
+    })
+}
+
+/// The node of a shell at these numbers along u and v.
+pub(super) fn patch_node(model: &Model, shell: &pdn_shell, [u, v]: [i32; 2]) -> Result<usize> {
+    let u = place(u, shell.nodes_u, "u")?;
+    let v = place(v, shell.nodes_v, "v")?;
+    let numbers = [
+        ("elements_u", shell.elements_u),
+        ("elements_v", shell.elements_v),
+    ];
+    for (name, count) in numbers {
+        if count < 1 {
+            return Err(Error::value(name, "1 or more", count).within("shell"));
+        }
+    }
+    let degree = |nodes: i32, elements: i32| ((nodes - 1) / elements) as usize;
+    let degrees = [
+        degree(shell.nodes_u, shell.elements_u),
+        degree(shell.nodes_v, shell.elements_v),
+    ];
+    let last = [shell.elements_u, shell.elements_v].map(|n| n as usize - 1);
+    let [i, j] = [0, 1].map(|d| ([u, v][d] / degrees[d].max(1)).min(last[d]));
+    let first = usize::try_from(shell.first_element).unwrap_or(usize::MAX);
+    let element = first.saturating_add(i.saturating_mul(last[1] + 1).saturating_add(j));
+    let [xi, eta] = [
+        u.saturating_sub(i.saturating_mul(degrees[0])),
+        v.saturating_sub(j.saturating_mul(degrees[1])),
+    ];
+    let definition = model.shells.get(element);
+    let found = definition.filter(|d| d.sides == degrees.map(|degree| degree + 1));
+    let found = found.and_then(|d| d.nodes.get(xi * (degrees[1] + 1) + eta));
+    found.copied().ok_or_else(|| {
+        let expected = "a shell of this model, as the function that added it wrote it";
+        Error::value("shell", expected, "another")
     })
 }
 
@@ -676,6 +685,26 @@ pub unsafe extern "C" fn pdn_model_shell_node(
     })
 }
 
+const PLACES: [(i32, ShellLoadPlace); 5] = [
+    (PDN_SHELL_EDGE_START_ETA, ShellLoadPlace::Edge(0)),
+    (PDN_SHELL_EDGE_END_XI, ShellLoadPlace::Edge(1)),
+    (PDN_SHELL_EDGE_END_ETA, ShellLoadPlace::Edge(2)),
+    (PDN_SHELL_EDGE_START_XI, ShellLoadPlace::Edge(3)),
+    (PDN_SHELL_SURFACE, ShellLoadPlace::Surface),
+];
+
+/// Where a load is on an element.
+pub(super) fn load_place(given: i32) -> Result<ShellLoadPlace> {
+    let names = "PDN_SHELL_SURFACE or a constant PDN_SHELL_EDGE_...";
+    choose(&PLACES, given, "place", names)
+}
+
+/// What C calls a place.
+pub(super) fn place_code(place: ShellLoadPlace) -> i32 {
+    let found = PLACES.iter().find(|(_, other)| *other == place);
+    found.map_or(PDN_SHELL_SURFACE, |(code, _)| *code)
+}
+
 /// Adds one component of a force or moment on shell elements, in addition to those that are there:
 /// for each unit of reference area, or of reference length of an edge.
 ///
@@ -711,15 +740,7 @@ pub unsafe extern "C" fn pdn_model_add_shell_load(
         let first_element = index(first_element, there, "first_element", "a shell element id")?;
         let elements = usize::try_from(elements)
             .map_err(|_| Error::size("elements", "at least 1", elements))?;
-        let table = [
-            (PDN_SHELL_EDGE_START_ETA, ShellLoadPlace::Edge(0)),
-            (PDN_SHELL_EDGE_END_XI, ShellLoadPlace::Edge(1)),
-            (PDN_SHELL_EDGE_END_ETA, ShellLoadPlace::Edge(2)),
-            (PDN_SHELL_EDGE_START_XI, ShellLoadPlace::Edge(3)),
-            (PDN_SHELL_SURFACE, ShellLoadPlace::Surface),
-        ];
-        let names = "PDN_SHELL_SURFACE or a constant PDN_SHELL_EDGE_...";
-        let place = choose(&table, place, "place", names)?;
+        let place = load_place(place)?;
         let frame = load_frame(frame)?;
         let components = components(call, component, signal)?;
         model.add_shell_load(ShellLoadDefinition {

@@ -356,11 +356,13 @@ pub struct pdn_tangent_check {
     pub differenced: f64,
     /// PDN_TANGENT_MOTION or PDN_TANGENT_VELOCITY.
     pub tangent: i32,
-    /// Node of the force that is differentiated; -1 for an effort on a joint coordinate.
+    /// Node of the force that is differentiated; of one on a shell, number of the point from 0; -1
+    /// for an effort on a joint coordinate.
     pub row_node: i32,
     /// Its component, PDN_FORCE_1, ... PDN_MOMENT_3; 0 for an effort.
     pub row_component: i32,
-    /// Node of the motion or velocity that it is differentiated by; -1 for a joint coordinate.
+    /// Node of the motion or velocity that it is differentiated by, or point; -1 for a joint
+    /// coordinate.
     pub column_node: i32,
     /// Its component: 0, 1, 2 linear, 3, 4, 5 angular; 0 for a joint coordinate.
     pub column_component: i32,
@@ -399,8 +401,8 @@ pub unsafe extern "C" fn pdn_tangent_check_init(check: *mut pdn_tangent_check, s
 /// not make solutions wrong, but Newton's method slow, or fail.
 ///
 /// @param model  the model; not NULL
-/// @param force  id of a force by ::pdn_model_add_coordinate_law, ::pdn_model_add_user_force or
-///     ::pdn_model_add_controller
+/// @param force  id of a force by ::pdn_model_add_coordinate_law, ::pdn_model_add_user_force,
+///     ::pdn_model_add_controller or ::pdn_model_add_surface_force
 /// @param period  the period that the model is to be solved for, positive [time]
 /// @param check  initialised by PDN_INIT; filled on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,

@@ -64,13 +64,25 @@ struct LoadPart {
 
 /// What the tangent needs of one node at one station.
 #[derive(Debug, Clone)]
-struct NodeTerms {
-    shape: f64,
+pub(super) struct PointTerms {
+    pub shape: f64,
     /// Motion of the node relative to the section, `X = RᵀM`.
-    x: DualMatrix,
+    pub x: DualMatrix,
     /// Section's turn `T`, and `A Δμ` of the load, for a unit increment of the node.
-    turn: DualMatrix,
+    pub turn: DualMatrix,
     gain: DualMatrix,
+}
+
+impl PointTerms {
+    pub fn new(shape: f64, x: DualMatrix, turn: DualMatrix) -> Self {
+        let gain = DualMatrix::zeros();
+        PointTerms {
+            shape,
+            x,
+            turn,
+            gain,
+        }
+    }
 }
 
 /// Tangent of one node's force by one node, summed over the stations.
@@ -91,6 +103,21 @@ impl Block {
     }
 }
 
+/// Points of a shell at which loads act, as of a quadrature.
+#[derive(Debug, Clone)]
+pub(super) struct LoadPoints {
+    /// The nodes that move them, and the frames that these carry and that are interpolated.
+    pub nodes: Vec<usize>,
+    pub frames: Vec<Motion>,
+    pub stations: Vec<LineStation>,
+    /// Axes of followers, in those that are interpolated.
+    pub axes: Vec<Matrix3<f64>>,
+    /// Reference areas or lengths that they stand for.
+    pub sizes: Vec<f64>,
+    /// Places `(ξ, η)`.
+    pub places: Vec<[f64; 2]>,
+}
+
 /// Scratch for what loads along an element find.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Scratch {
@@ -99,7 +126,7 @@ pub(super) struct Scratch {
     /// Loads at each station, along the inertial axes and along those that the nodes give the
     /// section.
     loads: Vec<[Vector6<f64>; 2]>,
-    terms: Vec<NodeTerms>,
+    pub(super) terms: Vec<PointTerms>,
     /// Row by row.
     blocks: Vec<Block>,
 }
@@ -199,23 +226,24 @@ impl DistributedLoad {
         }
     }
 
-    /// Loads at `stations` between nodes that carry `frames`, along the inertial axes or along
-    /// `axes` at each, which stands for so much length or area.
-    pub(super) fn between(
-        (nodes, frames): (Vec<usize>, Vec<Motion>),
-        stations: Vec<LineStation>,
-        (in_space, axes): (bool, &[Matrix3<f64>]),
-        sizes: &[f64],
+    /// Loads at points of a shell, along the inertial axes or along those of the points.
+    pub(super) fn at_points(
+        points: LoadPoints,
+        in_space: bool,
         signals: [Option<usize>; 6],
     ) -> Self {
+        let axes = match in_space {
+            true => vec![Matrix3::identity(); points.axes.len()],
+            false => points.axes,
+        };
         let mut load = DistributedLoad {
-            nodes,
-            frames,
-            stations,
+            nodes: points.nodes,
+            frames: points.frames,
+            stations: points.stations,
             parts: Vec::new(),
             last_axes: None,
         };
-        load.add_parts(in_space, signals, axes, sizes);
+        load.add_parts(in_space, signals, &axes, &points.sizes);
         load
     }
 
@@ -257,9 +285,30 @@ impl DistributedLoad {
 }
 
 impl Scratch {
+    /// Sets the blocks of so many nodes to zero.
+    pub(super) fn clear_blocks(&mut self, count: usize) {
+        self.blocks.clear();
+        self.blocks.resize(count * count, Block::zeros());
+    }
+
+    /// Adds the blocks, which are those of `frames` on the nodes, or of these if there are none.
+    pub(super) fn add_blocks(&self, frames: &[Motion], count: usize, out: &mut Contribution) {
+        for (place, block) in self.blocks.iter().enumerate() {
+            let mut k = -block.dual.to_stiffness_matrix();
+            let mut moments = k.fixed_view_mut::<3, 3>(3, 0);
+            moments += block.rest;
+            let (a, b) = (place / count, place % count);
+            if let (Some(row), Some(column)) = (frames.get(a), frames.get(b)) {
+                let [row, column] = [row, column].map(|frame| frame.inverse().adjoint());
+                k = row.tr_mul(&k) * column;
+            }
+            out.add_stiffness(a, b, &k);
+        }
+    }
+
     /// Adds the tangents of a station's load to the blocks, from the terms of the nodes: `mu` is
     /// that of the load, of which the part `space`, in the section's axes, does not turn with it.
-    fn add_tangents(&mut self, polar: &DualPolar, mu: &DualVector, space: &DualVector) {
+    pub(super) fn add_tangents(&mut self, polar: &DualPolar, mu: &DualVector, space: &DualVector) {
         // A Δμ = Δw − ΔA μ. In dual algebra Δw is w̃ Δρ, but for the moment that a force would
         // get by being moved: it moves with the section.
         let by_turn = (polar.factor * *mu).skew() + space.skew();
@@ -341,10 +390,7 @@ impl DistributedLoad {
         let first = self.start(states, scratch);
         self.sum(instant.signals, &mut scratch.loads);
         if out.with_tangents {
-            scratch.blocks.clear();
-            scratch
-                .blocks
-                .resize(states.len() * states.len(), Block::zeros());
+            scratch.clear_blocks(states.len());
         }
         for (place, station) in self.stations.iter().enumerate() {
             let polar = station.polar(&scratch.relative)?;
@@ -362,12 +408,8 @@ impl DistributedLoad {
                 let c = x.trace_minus_transpose() * shape;
                 out.add_force(a, &-self.carried(a, c.transpose() * mu).to_wrench());
                 if out.with_tangents {
-                    scratch.terms.push(NodeTerms {
-                        shape,
-                        x,
-                        turn: polar.spread_inverse * c,
-                        gain: DualMatrix::zeros(),
-                    });
+                    let turn = polar.spread_inverse * c;
+                    scratch.terms.push(PointTerms::new(shape, x, turn));
                 }
             }
             if out.with_tangents {
@@ -375,18 +417,7 @@ impl DistributedLoad {
             }
         }
         if out.with_tangents {
-            let count = states.len();
-            for (place, block) in scratch.blocks.iter().enumerate() {
-                let mut k = -block.dual.to_stiffness_matrix();
-                let mut moments = k.fixed_view_mut::<3, 3>(3, 0);
-                moments += block.rest;
-                let (a, b) = (place / count, place % count);
-                if let (Some(row), Some(column)) = (self.frames.get(a), self.frames.get(b)) {
-                    let [row, column] = [row, column].map(|frame| frame.inverse().adjoint());
-                    k = row.tr_mul(&k) * column;
-                }
-                out.add_stiffness(a, b, &k);
-            }
+            scratch.add_blocks(&self.frames, states.len(), out);
         }
         Ok(())
     }

@@ -25,6 +25,9 @@ mod shape;
 mod shell;
 #[cfg(test)]
 mod shell_test;
+mod surface_force;
+#[cfg(test)]
+mod surface_force_test;
 #[cfg(test)]
 mod tangent_test;
 mod user_force;
@@ -57,6 +60,10 @@ pub use shape::{gauss_legendre, lobatto_points, shape_functions};
 pub use shell::{
     IsotropicShell, Matrix12, NodeGrid, Shell, ShellFrames, ShellLoadPlace, ShellPoint,
     ShellSection, ShellSide, Vector12, element_frames, surface_stress,
+};
+pub use surface_force::{
+    PointTangents, SurfaceForce, SurfaceForceFunction, SurfaceForceInput, SurfaceForceLaw,
+    SurfaceForceOutput,
 };
 pub use user_force::{
     NodeForceFunction, NodeForceInput, NodeForceLaw, NodeForceOutput, Tangent, TangentPairs,
@@ -229,6 +236,8 @@ pub struct Contribution {
     user_force: user_force::Scratch,
     /// Scratch of controllers.
     controller: controller::Scratch,
+    /// The same on shells.
+    surface_force: surface_force::Scratch,
 }
 
 impl Contribution {
@@ -254,6 +263,7 @@ impl Contribution {
             load: distributed_load::Scratch::default(),
             user_force: user_force::Scratch::default(),
             controller: controller::Scratch::default(),
+            surface_force: surface_force::Scratch::default(),
         }
     }
 

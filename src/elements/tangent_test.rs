@@ -157,6 +157,19 @@ fn shell_cases(
                     coordinates: vec![],
                 });
             }
+            for (name, law) in surface_force_test::laws().into_iter().filter(|_| damped) {
+                for place in [ShellLoadPlace::Surface, ShellLoadPlace::Edge(1)] {
+                    let new = SurfaceForce::new((0, &shell), place, law.clone(), [1.0; 2]);
+                    let element = new.unwrap();
+                    let of_place = element.nodes().iter().map(|&node| states[node]).collect();
+                    cases.push(Case {
+                        name: format!("user's forces {place:?}, {sides:?} nodes, {name}"),
+                        element: Box::new(element),
+                        states: of_place,
+                        coordinates: vec![],
+                    });
+                }
+            }
             cases.push(Case {
                 name: format!("shell, {sides:?} nodes, damped {damped}"),
                 element: Box::new(shell),

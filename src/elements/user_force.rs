@@ -101,7 +101,7 @@ pub struct TangentPairs {
     pub differenced: [DMatrix<f64>; 2],
 }
 
-const COMPONENTS: [&str; 6] = [
+pub(super) const COMPONENTS: [&str; 6] = [
     "force 1", "force 2", "force 3", "moment 1", "moment 2", "moment 3",
 ];
 
@@ -135,21 +135,26 @@ impl Scratch {
         let mut u = Vector6::zeros();
         u[component] = step;
         let motion = Motion::new(self.rotations[node], self.positions[node]);
-        let moved = match frame {
-            LoadFrame::Follower => motion.increment(&u),
-            LoadFrame::Space => Motion::new(
-                rotation_from_vector(&u.fixed_rows::<3>(3).into_owned()) * motion.rotation,
-                motion.position + u.fixed_rows::<3>(0),
-            ),
-        };
+        let moved = moved(frame, &motion, &u);
         self.rotations[node] = moved.rotation;
         self.positions[node] = moved.position;
     }
 }
 
+/// A motion after an increment along its own or the inertial axes.
+pub(super) fn moved(frame: LoadFrame, motion: &Motion, u: &Vector6<f64>) -> Motion {
+    match frame {
+        LoadFrame::Follower => motion.increment(u),
+        LoadFrame::Space => Motion::new(
+            rotation_from_vector(&u.fixed_rows::<3>(3).into_owned()) * motion.rotation,
+            motion.position + u.fixed_rows::<3>(0),
+        ),
+    }
+}
+
 /// `[0 ã; 0 b̃]` of a 6-vector `[a; b]`: what turning the axes by `ψ` does is `−` this times
 /// `[·; ψ]`, reversed.
-fn skews(v: &Vector6<f64>) -> Matrix6<f64> {
+pub(super) fn skews(v: &Vector6<f64>) -> Matrix6<f64> {
     let mut m = Matrix6::zeros();
     for half in [0, 3] {
         let block = skew(&v.fixed_rows::<3>(half).into_owned());
@@ -282,7 +287,7 @@ impl UserForce {
     }
 }
 
-fn not_finite(what: &str, time: f64, got: f64) -> Error {
+pub(super) fn not_finite(what: &str, time: f64, got: f64) -> Error {
     Error::new(
         ErrorKind::Callback,
         format!("callback: expected a finite {what} at t = {time}, got {got}"),

@@ -6,7 +6,7 @@ use super::{
 };
 use crate::elements::{
     Attachment, BushingAngles, ControllerLaw, ControllerState, CoordinateLaw, JointKind,
-    MaxwellBranch, NodeForceLaw,
+    MaxwellBranch, NodeForceLaw, ShellLoadPlace, SurfaceForceLaw,
 };
 use crate::error::{Error, ErrorKind, Result, require_finite, require_id};
 use crate::motion::Motion;
@@ -93,6 +93,18 @@ pub enum ForceDefinition {
     },
     /// A law of the user that reads joint coordinates, has states, and acts on joint coordinates.
     Controller(Box<ControllerDefinition>),
+    /// A user's forces on a shell element.
+    SurfaceForces {
+        /// The element.
+        element: usize,
+        /// Where on it.
+        place: ShellLoadPlace,
+        /// The law.
+        law: UserFunction<SurfaceForceLaw>,
+        /// Cycles of the phase that it is told in a period; 0 if it is told the time.
+        #[serde(default)]
+        cycles: usize,
+    },
 }
 
 impl ForceDefinition {
@@ -106,6 +118,7 @@ impl ForceDefinition {
             ForceDefinition::ViscousDamper { .. }
             | ForceDefinition::Bushing(_)
             | ForceDefinition::NodeForces { .. }
+            | ForceDefinition::SurfaceForces { .. }
             | ForceDefinition::Controller(_) => None,
         }
     }
@@ -129,7 +142,8 @@ impl ForceDefinition {
     pub fn cycles(&self) -> Option<usize> {
         match self {
             ForceDefinition::CoordinateLaw { cycles, .. }
-            | ForceDefinition::NodeForces { cycles, .. } => Some(*cycles),
+            | ForceDefinition::NodeForces { cycles, .. }
+            | ForceDefinition::SurfaceForces { cycles, .. } => Some(*cycles),
             ForceDefinition::Controller(controller) => Some(controller.cycles),
             _ => None,
         }
@@ -138,7 +152,8 @@ impl ForceDefinition {
     pub(super) fn cycles_mut(&mut self) -> Option<&mut usize> {
         match self {
             ForceDefinition::CoordinateLaw { cycles, .. }
-            | ForceDefinition::NodeForces { cycles, .. } => Some(cycles),
+            | ForceDefinition::NodeForces { cycles, .. }
+            | ForceDefinition::SurfaceForces { cycles, .. } => Some(cycles),
             ForceDefinition::Controller(controller) => Some(&mut controller.cycles),
             _ => None,
         }
@@ -194,6 +209,9 @@ impl Model {
             ForceDefinition::Bushing(bushing) => bushing.require_valid()?,
             ForceDefinition::NodeForces { nodes, .. } => self.require_distinct_nodes(nodes)?,
             ForceDefinition::Controller(controller) => controller.require_valid(self)?,
+            ForceDefinition::SurfaceForces { element, place, .. } => {
+                self.require_shell_place((*element, 1), *place)?;
+            }
         }
         self.forces.push(force);
         Ok(self.forces.len() - 1)
@@ -353,6 +371,32 @@ impl Model {
             law,
             cycles: 0,
         })
+    }
+
+    /// Adds forces that a user's function computes at points of the surface, or an edge, of shell
+    /// elements: a force for each of `elements` from `first_element` on. Returns the id of the
+    /// first; the others follow.
+    ///
+    /// # Errors
+    /// If the elements or the edge do not exist.
+    pub fn add_surface_forces(
+        &mut self,
+        first_element: usize,
+        elements: usize,
+        place: ShellLoadPlace,
+        law: SurfaceForceLaw,
+    ) -> Result<usize> {
+        self.require_shell_place((first_element, elements), place)?;
+        let first = self.forces.len();
+        for element in first_element..first_element + elements {
+            self.forces.push(ForceDefinition::SurfaceForces {
+                element,
+                place,
+                law: UserFunction::new(law.clone()),
+                cycles: 0,
+            });
+        }
+        Ok(first)
     }
 
     /// Declares the function of a force one of the phase `Ωt`, which it is then told, in radians,

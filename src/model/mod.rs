@@ -17,6 +17,7 @@ mod loaded;
 mod parameter;
 mod raised;
 mod relation;
+mod rigid_edge;
 mod section;
 mod shell;
 mod shell_load;

@@ -67,6 +67,9 @@ pub enum Target {
     ShellMass(usize),
     /// Factor of the damping of a shell element.
     ShellDamping(usize),
+    /// Factor of the thickness of a shell element, which moves stiffness, mass and damping, see
+    /// [`ShellSection::thickened`](crate::elements::ShellSection::thickened); more than zero.
+    ShellThickness(usize),
     /// Damping in proportion to mass, see [`Model::set_mass_damping`].
     MassDamping,
 }
@@ -76,13 +79,14 @@ impl Target {
     fn is_linear(&self) -> bool {
         match self {
             Target::Signal(SignalPlace::Prescribed(_) | SignalPlace::Relation(_), _)
-            | Target::Rest(_) => false,
+            | Target::Rest(_)
+            | Target::ShellThickness(_) => false,
             Target::Signal(_, part) => *part != SignalPart::Phase,
             _ => true,
         }
     }
 
-    /// Whether it changes bodies or beams.
+    /// Whether it changes bodies, beams or shells.
     fn is_of_bodies(&self) -> bool {
         matches!(
             self,
@@ -93,6 +97,7 @@ impl Target {
                 | Target::ShellStiffness(_)
                 | Target::ShellMass(_)
                 | Target::ShellDamping(_)
+                | Target::ShellThickness(_)
         )
     }
 }
@@ -122,7 +127,7 @@ impl Parameter {
         self.targets.iter().all(|(target, _)| target.is_linear())
     }
 
-    /// Whether it changes bodies or beams.
+    /// Whether it changes bodies, beams or shells.
     pub(crate) fn moves_bodies(&self) -> bool {
         self.targets.iter().any(|(target, _)| target.is_of_bodies())
     }
@@ -230,7 +235,8 @@ impl Model {
             }
             Target::ShellStiffness(element)
             | Target::ShellMass(element)
-            | Target::ShellDamping(element) => {
+            | Target::ShellDamping(element)
+            | Target::ShellThickness(element) => {
                 self.shells[element].require_finite()?;
                 self.require_finite_inertia(target)
             }
@@ -449,6 +455,7 @@ impl Model {
             Target::ShellStiffness(element) => Some(&mut self.shells.get_mut(element)?.factors[0]),
             Target::ShellMass(element) => Some(&mut self.shells.get_mut(element)?.factors[1]),
             Target::ShellDamping(element) => Some(&mut self.shells.get_mut(element)?.factors[2]),
+            Target::ShellThickness(element) => Some(&mut self.shells.get_mut(element)?.thickness),
             Target::MassDamping => Some(&mut self.mass_damping),
         }
     }

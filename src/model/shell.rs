@@ -3,7 +3,7 @@
 use super::validation::{direction, require_positive};
 use super::{InertiaDefinition, Model};
 use crate::elements::{NodeGrid, Shell, ShellFrames, ShellSection, Vector12, element_frames};
-use crate::error::{Error, Result, require_finite, require_id};
+use crate::error::{Error, Result, require_finite, require_id, require_positive_number};
 use crate::motion::Motion;
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
@@ -29,15 +29,33 @@ pub struct ShellDefinition {
     pub direction: Option<Vector3<f64>>,
     /// Factors of stiffness, mass and damping.
     pub factors: [f64; 3],
+    /// Factor of the thickness, see [`ShellSection::thickened`].
+    #[serde(default = "one")]
+    pub thickness: f64,
     /// Resultants where nothing is strained.
     #[serde(default = "Vector12::zeros")]
     pub prestress: Vector12,
 }
 
+/// The factor of what is as it was given.
+fn one() -> f64 {
+    1.0
+}
+
 impl ShellDefinition {
-    /// Checks that the section times its factors is of numbers.
+    /// The section with its factors.
+    fn scaled(&self) -> ShellSection {
+        let section = match self.thickness {
+            1.0 => self.section,
+            factor => self.section.thickened(factor),
+        };
+        section.scaled(&self.factors)
+    }
+
+    /// Checks that the section times its factors is of numbers, and the thickness more than zero.
     pub(super) fn require_finite(&self) -> Result<()> {
-        let section = self.section.scaled(&self.factors);
+        require_positive_number("factor of the thickness", self.thickness)?;
+        let section = self.scaled();
         require_finite("shell stiffness", section.stiffness.as_slice())?;
         require_finite("shell damping", section.damping.as_slice())?;
         require_finite("shell mass", section.mass.as_slice())
@@ -279,6 +297,7 @@ impl Model {
             section,
             direction: direction.transpose()?,
             factors: [1.0; 3],
+            thickness: 1.0,
             prestress: Vector12::zeros(),
         };
         edges.require_apart(self, &definition)?;
@@ -310,7 +329,7 @@ impl Model {
         let element = Shell::new(
             (shell.nodes.clone(), shell.sides),
             (reference, shell.frames.clone()),
-            shell.section.scaled(&shell.factors),
+            shell.scaled(),
             shell.direction,
         )?;
         Ok(element.with_prestress(&shell.prestress))
@@ -347,6 +366,7 @@ impl Model {
             require_finite("direction", direction.as_slice())?;
         }
         require_finite("factors", &shell.factors)?;
+        require_finite("thickness", &[shell.thickness])?;
         require_finite("prestress", shell.prestress.as_slice())?;
         shell.section.validated()?;
         shell.require_finite()?;

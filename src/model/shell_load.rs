@@ -1,7 +1,7 @@
 //! Loads on the surfaces and edges of shells.
 
 use super::{Model, Signal};
-use crate::elements::{LoadFrame, ShellLoadPlace};
+use crate::elements::{LoadFrame, ShellLoadPlace, SurfaceForce, SurfaceForceLaw};
 use crate::error::{Error, Result, require_id};
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
@@ -36,19 +36,41 @@ impl Model {
     /// # Errors
     /// If the elements or the edge do not exist.
     pub fn add_shell_load(&mut self, load: ShellLoadDefinition) -> Result<()> {
+        self.require_shell_place((load.first_element, load.elements), load.place)?;
+        self.shell_loads.push(load);
+        Ok(())
+    }
+
+    /// Checks that there are so many shell elements, from the first on, with such a place.
+    pub(crate) fn require_shell_place(
+        &self,
+        (first, elements): (usize, usize),
+        place: ShellLoadPlace,
+    ) -> Result<()> {
         let count = self.shells.len();
-        require_id("first_element", "shell element", count, load.first_element)?;
-        let most = count - load.first_element;
-        if !(1..=most).contains(&load.elements) {
-            let expected = format!("1 to {most} from element {} on", load.first_element);
-            return Err(Error::size("elements", expected, load.elements));
+        require_id("first_element", "shell element", count, first)?;
+        let most = count - first;
+        if !(1..=most).contains(&elements) {
+            let expected = format!("1 to {most} from element {first} on");
+            return Err(Error::size("elements", expected, elements));
         }
-        if let ShellLoadPlace::Edge(edge) = load.place
+        if let ShellLoadPlace::Edge(edge) = place
             && edge > 3
         {
             return Err(Error::value("edge", "0 to 3", edge));
         }
-        self.shell_loads.push(load);
         Ok(())
+    }
+
+    /// The element of a user's forces on a shell; motions are of the order of a length, at a
+    /// circular frequency.
+    pub(crate) fn surface_force(
+        &self,
+        (element, place): (usize, ShellLoadPlace),
+        law: &SurfaceForceLaw,
+        sizes: [f64; 2],
+    ) -> Result<SurfaceForce> {
+        let shell = self.shell_of(&self.shells[element])?;
+        SurfaceForce::new((element, &shell), place, law.clone(), sizes)
     }
 }

@@ -4,7 +4,7 @@ use super::history::History;
 use super::samples::Samples;
 use super::variation::Variation;
 use super::{Dependence, Probe};
-use crate::elements::{Element, ShellPoint, ShellSide, Vector12, surface_stress};
+use crate::elements::{Element, Shell, ShellPoint, ShellSide, Vector12, surface_stress};
 use crate::error::{Error, Result, require_id};
 use crate::system::System;
 
@@ -44,17 +44,8 @@ impl ShellQuantity {
             ShellQuantity::Strain => Kind::Strain,
             ShellQuantity::Resultant => Kind::Resultant,
             ShellQuantity::SurfaceStress(side) => {
-                let thickness = shells[element].section().isotropic_thickness();
-                let thickness = thickness.ok_or_else(|| {
-                    let expected =
-                        "an element of an isotropic shell, whose thickness tells stresses";
-                    Error::value(
-                        "element",
-                        expected,
-                        format!("element {element} of another law"),
-                    )
-                })?;
-                Kind::Stress(Box::new(surface_stress(thickness, side)))
+                stress_factors(&shells[element], element, side)?;
+                Kind::Stress(side)
             }
         };
         Ok(Box::new(ShellProbe {
@@ -69,8 +60,18 @@ impl ShellQuantity {
 enum Kind {
     Strain,
     Resultant,
-    /// Of each stress the factors of the resultants.
-    Stress(Box<[Vector12; 3]>),
+    Stress(ShellSide),
+}
+
+/// Of each stress at a side the factors of the resultants: of the system at hand, as parameters may
+/// move its thickness.
+fn stress_factors(shell: &Shell, element: usize, side: ShellSide) -> Result<[Vector12; 3]> {
+    let thickness = shell.section().isotropic_thickness().ok_or_else(|| {
+        let expected = "an element of an isotropic shell, whose thickness tells stresses";
+        let got = format!("element {element} of another law");
+        Error::value("element", expected, got)
+    })?;
+    Ok(surface_stress(thickness, side))
 }
 
 #[derive(Debug)]
@@ -101,14 +102,18 @@ impl Probe for ShellProbe {
             Kind::Strain | Kind::Resultant => 12,
             Kind::Stress(_) => 4,
         };
+        let shell = &history.system.shells()[self.element];
+        let factors = match self.kind {
+            Kind::Stress(side) => stress_factors(shell, self.element, side)?,
+            _ => [Vector12::zeros(); 3],
+        };
         Samples::at_each(history, count, |k, row| {
-            let shell = &history.system.shells()[self.element];
             let states = history.nodes_of(&**shell, k);
             let [strain, resultant] = shell.strain_and_stress(&self.point, &states)?;
-            match &self.kind {
+            match self.kind {
                 Kind::Strain => row.extend(strain.iter()),
                 Kind::Resultant => row.extend(resultant.iter()),
-                Kind::Stress(factors) => {
+                Kind::Stress(_) => {
                     let stress = [0, 1, 2].map(|i| factors[i].dot(&resultant));
                     row.extend(stress);
                     row.push(von_mises(stress));
@@ -126,14 +131,17 @@ impl Probe for ShellProbe {
         weight: f64,
         out: &mut Variation,
     ) -> Result<()> {
+        let shell = &history.system.shells()[self.element];
         let unit = || Vector12::ith(component, weight);
-        let by = match &self.kind {
+        let by = match self.kind {
             Kind::Strain => [unit(), Vector12::zeros()],
             Kind::Resultant => [Vector12::zeros(), unit()],
-            Kind::Stress(factors) if component < 3 => {
+            Kind::Stress(side) if component < 3 => {
+                let factors = stress_factors(shell, self.element, side)?;
                 [Vector12::zeros(), factors[component] * weight]
             }
-            Kind::Stress(factors) => {
+            Kind::Stress(side) => {
+                let factors = stress_factors(shell, self.element, side)?;
                 let [first, second, shear, mises] = [0, 1, 2, 3].map(|i| samples.columns[i][k]);
                 let slopes = [first - 0.5 * second, second - 0.5 * first, 3.0 * shear];
                 let mut by = Vector12::zeros();
@@ -146,7 +154,6 @@ impl Probe for ShellProbe {
                 [Vector12::zeros(), by]
             }
         };
-        let shell = &history.system.shells()[self.element];
         let states = history.nodes_of(&**shell, k);
         shell.vary_strain_and_stress(&self.point, &states, &by, |local, [motion, velocity]| {
             let rows = [motion, velocity, nalgebra::Vector6::zeros()];

@@ -5,7 +5,7 @@ use super::scales::coordinate_scales;
 use super::{ElementRole, Placed, PlacedRelation, Regime, Scales, System};
 use crate::elements::{
     ActedCoordinate, CoordinateForce, Element, JointKind, Law, MassDamping, NodalLoad, Prescribed,
-    Relation, UserForce, Viscoelastic, ViscousDamper,
+    Relation, SurfaceForce, UserForce, Viscoelastic, ViscousDamper,
 };
 use crate::error::{Error, ErrorKind, Result, require_positive_number};
 use crate::model::{
@@ -378,6 +378,17 @@ impl<'a> Builder<'a> {
             ForceDefinition::Controller(controller) => {
                 let made = self.controller(controller, length);
                 Arc::new(made.map_err(within)?)
+            }
+            ForceDefinition::SurfaceForces {
+                element,
+                place,
+                law,
+                cycles,
+            } => {
+                let law = self.surface_law(law, *cycles).map_err(within)?;
+                let shell = (*element, &*self.system.shells[*element]);
+                let sizes = [length, frequency];
+                Arc::new(SurfaceForce::new(shell, *place, law, sizes).map_err(within)?)
             }
         })
     }

@@ -3,11 +3,12 @@
 use super::System;
 use super::scales::coordinate_scales;
 use crate::elements::{
-    ControllerCall, CoordinateLaw, CoordinateState, NodeForceLaw, NodeState, Tangent, UserForce,
+    ControllerCall, CoordinateLaw, CoordinateState, Element, NodeForceLaw, NodeState,
+    ShellLoadPlace, SurfaceForceLaw, Tangent, UserForce,
 };
 use crate::error::{Error, ErrorKind, Result};
 use crate::model::{ControllerDefinition, ForceDefinition, JointCoordinate, Model};
-use nalgebra::{DMatrix, Vector6};
+use nalgebra::{DMatrix, Matrix6, Vector6};
 use std::f64::consts::TAU;
 
 /// States that tangents are compared at.
@@ -26,7 +27,8 @@ pub struct TangentCheck {
     pub time: f64,
     /// Which tangent.
     pub tangent: Tangent,
-    /// Node and component of the force; none for an effort on a joint coordinate.
+    /// Node and component of the force, of one on a shell point of the quadrature and component;
+    /// none for an effort on a joint coordinate.
     pub row: Option<(usize, usize)>,
     /// Node and component of the motion or velocity; likewise.
     pub column: Option<(usize, usize)>,
@@ -151,6 +153,14 @@ pub fn check_tangents(model: &Model, force: usize, period: f64) -> Result<Tangen
             law.get().and_then(|law| check.node_forces(nodes, law))
         }
         ForceDefinition::Controller(controller) => check.controller(controller),
+        ForceDefinition::SurfaceForces {
+            element,
+            place,
+            law,
+            ..
+        } => law
+            .get()
+            .and_then(|law| check.surface_forces((*element, *place), law)),
         _ => Err(unavailable("it is not a function of the user")),
     };
     checked.map_err(|e| e.within(format!("force {force}")))?;
@@ -276,6 +286,43 @@ impl Check<'_> {
                         sizes(which, column) / row_size(row + rows.start)
                     };
                     self.compare(time, &entries, weight, |_| None);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn surface_forces(
+        &mut self,
+        (element, place): (usize, ShellLoadPlace),
+        law: &SurfaceForceLaw,
+    ) -> Result<()> {
+        if !law.gives_tangents {
+            return Err(unavailable(DIFFERENCED));
+        }
+        let (length, frequency) = (self.length, TAU / self.period);
+        let force = self
+            .model
+            .surface_force((element, place), law, [length, frequency])?;
+        let sizes = |component: usize| if component < 3 { length } else { 1.0 };
+        for time in self.times() {
+            let states = self.probe.nodes(self.model, force.nodes());
+            let found = force.tangent_pairs(time, &states)?;
+            let tangents = [(Tangent::Stiffness, 1.0), (Tangent::Damping, frequency)];
+            for (i, (tangent, rate)) in tangents.into_iter().enumerate() {
+                let pairs = found.given[i].iter().zip(&found.differenced[i]);
+                for (point, (given, differenced)) in pairs.enumerate() {
+                    let dense = |m: &Matrix6<f64>| DMatrix::from_fn(6, 6, |i, j| m[(i, j)]);
+                    let entries = Entries {
+                        tangent,
+                        given: &dense(given),
+                        differenced: &dense(differenced),
+                    };
+                    let weight = |row: usize, column: usize| {
+                        let force = if row < 3 { 1.0 } else { 1.0 / length };
+                        force * sizes(column) * rate
+                    };
+                    self.compare(time, &entries, weight, |at| Some((point, at)));
                 }
             }
         }

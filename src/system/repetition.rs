@@ -2,7 +2,7 @@
 
 use super::check::Probe;
 use super::scales::coordinate_scales;
-use crate::elements::{CoordinateState, UserForce};
+use crate::elements::{CoordinateState, Element, UserForce};
 use crate::error::{Error, ErrorKind, Result};
 use crate::model::{ForceDefinition, Model};
 use std::f64::consts::TAU;
@@ -84,6 +84,23 @@ fn require_repeating_forces(
                     Ok(call.results)
                 };
                 require_repeating(results, times, period)
+                    .map_err(|e| e.within(format!("force {index}")))?;
+            }
+            ForceDefinition::SurfaceForces {
+                element,
+                place,
+                law,
+                cycles,
+            } => {
+                let sizes = [length, frequency];
+                let element = model.surface_force((*element, *place), law.get()?, sizes)?;
+                let states = probe.nodes(model, element.nodes());
+                let unit = unit_of_time(*cycles, frequency);
+                let forces = |time: f64| {
+                    let forces = element.forces(time * unit, &states)?;
+                    Ok(forces.iter().flatten().copied().collect())
+                };
+                require_repeating(forces, times, period)
                     .map_err(|e| e.within(format!("force {index}")))?;
             }
             _ => {}

@@ -4,7 +4,7 @@ use super::build::Builder;
 use super::scales::coordinate_scales;
 use crate::elements::{
     Controller, ControllerInput, ControllerLaw, CoordinateLaw, CoordinateState, Effort, LoadFrame,
-    NodeForceInput, NodeForceLaw,
+    NodeForceInput, NodeForceLaw, SurfaceForceInput, SurfaceForceLaw,
 };
 use crate::error::{Error, Result};
 use crate::model::{ControllerDefinition, UserFunction};
@@ -59,6 +59,28 @@ impl Builder<'_> {
             law.function = Arc::new(move |state, out| {
                 let time = state.time * unit;
                 function(&NodeForceInput { time, ..*state }, out)
+            });
+        }
+        Ok(law)
+    }
+
+    /// A user's law on a shell, that is told the time.
+    pub(super) fn surface_law(
+        &mut self,
+        law: &UserFunction<SurfaceForceLaw>,
+        cycles: usize,
+    ) -> Result<SurfaceForceLaw> {
+        let zero = SurfaceForceLaw {
+            function: Arc::new(|_, _| Ok(())),
+            gives_tangents: true,
+            frame: LoadFrame::Space,
+        };
+        let mut law = self.function(law, zero)?;
+        if cycles > 0 {
+            let (unit, function) = (self.phase_unit()? * cycles as f64, law.function);
+            law.function = Arc::new(move |state, out| {
+                let time = state.time * unit;
+                function(&SurfaceForceInput { time, ..*state }, out)
             });
         }
         Ok(law)

@@ -81,6 +81,7 @@ fn holds(model: &Model, placed: &Placed) -> bool {
             // What they do is not known.
             ForceDefinition::CoordinateLaw { .. }
             | ForceDefinition::NodeForces { .. }
+            | ForceDefinition::SurfaceForces { .. }
             | ForceDefinition::Controller(_) => true,
         },
     }

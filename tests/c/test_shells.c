@@ -40,13 +40,60 @@ static void place_of(const pdn_model *model, int32_t node, double *position)
 /* Clamps all nodes where u = 0. */
 static void clamp_start(pdn_model *model, const pdn_shell *shell)
 {
-    int32_t v, node, joint;
-    for (v = 0; v < shell->nodes_v; v++) {
-        double position[3];
-        CHECK_STATUS(pdn_model_shell_patch_node(model, shell, 0, v, &node), PDN_OK);
-        place_of(model, node, position);
-        CHECK_STATUS(pdn_model_add_rigid_joint(model, PDN_GROUND, node, position, &joint), PDN_OK);
+    int32_t first, joints;
+    CHECK_STATUS(pdn_model_add_rigid_edge(model, PDN_GROUND, shell, PDN_SHELL_EDGE_START_XI, &first,
+                                          &joints),
+                 PDN_OK);
+    CHECK(first == 0 && joints == shell->nodes_v);
+}
+
+/* Each edge has its nodes, but for what its body has already; a closed one has each once. */
+static void rigid_edges(void)
+{
+    const double origin[3] = {0, 0, 0}, axis[3] = {0, 0, 1}, start[3] = {1, 0, 0};
+    const double inertia[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    const int32_t edges[4] = {PDN_SHELL_EDGE_START_ETA, PDN_SHELL_EDGE_END_XI,
+                              PDN_SHELL_EDGE_END_ETA, PDN_SHELL_EDGE_START_XI};
+    /* Of 9 x 5 nodes, less the corners that came with the edges before. */
+    const int32_t counts[4] = {9, 4, 8, 3}, starts[4][2] = {{0, 0}, {8, 1}, {0, 4}, {0, 1}};
+    const pdn_shell_section section = section_of(0.3);
+    const pdn_surface flat = strip(2, 1);
+    pdn_model *model;
+    pdn_surface surface;
+    pdn_shell shell, tube;
+    pdn_joint_info info;
+    int32_t body, first, joints, node, nodes[3], k, total = 0;
+
+    CHECK_STATUS(pdn_model_new(&model), PDN_OK);
+    CHECK_STATUS(pdn_model_add_rigid_body(model, 1, origin, inertia, &body), PDN_OK);
+    CHECK_STATUS(pdn_model_add_shell(model, &flat, 4, 2, 2, 2, 1, &section, NULL, &shell), PDN_OK);
+    for (k = 0; k < 4; k++) {
+        CHECK_STATUS(pdn_model_add_rigid_edge(model, body, &shell, edges[k], &first, &joints),
+                     PDN_OK);
+        CHECK(first == total && joints == counts[k]);
+        total += joints;
+        PDN_INIT(pdn_joint_info, &info);
+        CHECK_STATUS(pdn_model_joint(model, first, &info), PDN_OK);
+        CHECK_STATUS(
+            pdn_model_shell_patch_node(model, &shell, starts[k][0], starts[k][1], &node), PDN_OK);
+        CHECK(info.kind == PDN_JOINT_RIGID && info.first == body && info.second == node);
     }
+    /* A tube about the body: its end is a circle of 12 nodes. */
+    PDN_INIT(pdn_surface, &surface);
+    CHECK_STATUS(pdn_surface_set_cylinder(&surface, origin, axis, start, 0.4, 1, 2 * PI), PDN_OK);
+    CHECK_STATUS(pdn_model_add_shell(model, &surface, 4, 2, 3, 2, 1, &section, NULL, &tube),
+                 PDN_OK);
+    CHECK_STATUS(pdn_model_add_rigid_edge(model, body, &tube, PDN_SHELL_EDGE_END_ETA, &first,
+                                          &joints),
+                 PDN_OK);
+    CHECK(first == total && joints == 12);
+    /* Nodes by their ids; the body is one of them. */
+    nodes[0] = body;
+    CHECK_STATUS(pdn_model_shell_patch_node(model, &tube, 3, 0, &nodes[1]), PDN_OK);
+    CHECK_STATUS(pdn_model_shell_patch_node(model, &tube, 5, 4, &nodes[2]), PDN_OK);
+    CHECK_STATUS(pdn_model_add_rigid_joints(model, body, nodes, 3, &first, &joints), PDN_OK);
+    CHECK(first == total + 12 && joints == 1);
+    pdn_model_free(model);
 }
 
 /* Mass and centre of what the surfaces describe; the interpolated arcs converge fast. */
@@ -254,6 +301,135 @@ static void loads(void)
     pdn_model_free(model);
 }
 
+/* What the function below is told, and whether its data was disposed of. */
+struct wind {
+    double pressure, drag, area;
+    int32_t element, given, calls, destroyed;
+    size_t points;
+};
+
+/* Pressure, and drag in proportion to the normal velocity, along the axes of the points. */
+static int32_t blow(const pdn_surface_state *state, pdn_surface_values *values, void *user_data)
+{
+    struct wind *wind = user_data;
+    size_t k;
+    wind->area = 0;
+    wind->calls++;
+    CHECK(state->struct_size == sizeof *state && values->struct_size == sizeof *values);
+    CHECK(state->element == wind->element && state->reserved == 0);
+    CHECK(state->point_count == wind->points);
+    for (k = 0; k < state->point_count; k++) {
+        CHECK(fabs(state->places[2 * k]) < 1 && fabs(state->places[2 * k + 1]) < 1);
+        wind->area += state->sizes[k];
+        values->forces[6 * k + 2] = wind->pressure - wind->drag * state->velocities[6 * k + 2];
+        if (values->by_velocity) {
+            CHECK(wind->given);
+            values->by_velocity[36 * k + 14] = -wind->drag;
+        }
+    }
+    return 0;
+}
+
+static void dispose(void *user_data)
+{
+    ((struct wind *)user_data)->destroyed++;
+}
+
+/* A pressure by a function is the load; drag that damps a plate in proportion to its mass but for
+ * rotary inertia shortens no frequency by more than that does. */
+static void surface_forces(void)
+{
+    const pdn_surface surface = strip(2, 0.5);
+    const double rate = 0.1, time = 0;
+    pdn_shell_section section = section_of(0.3);
+    double heights[2], position[3];
+    int k;
+    for (k = 0; k < 2; k++) {
+        struct wind wind = {0.05, 3, 0, 1, 0, 0, 0, 9};
+        pdn_model *model;
+        pdn_shell shell;
+        pdn_solution *solution;
+        pdn_signal pressure;
+        int32_t node, force = -1;
+        CHECK_STATUS(pdn_model_new(&model), PDN_OK);
+        CHECK_STATUS(
+            pdn_model_add_shell(model, &surface, 2, 1, 2, 2, 1, &section, NULL, &shell), PDN_OK);
+        clamp_start(model, &shell);
+        if (k == 0) {
+            PDN_INIT(pdn_signal, &pressure);
+            CHECK_STATUS(pdn_signal_set_constant(&pressure, wind.pressure), PDN_OK);
+            CHECK_STATUS(pdn_model_add_shell_load(model, 1, 1, PDN_SHELL_SURFACE,
+                                                  PDN_FRAME_MATERIAL, PDN_FORCE_3, &pressure),
+                         PDN_OK);
+        } else {
+            pdn_force_info info;
+            pdn_tangent_check check;
+            CHECK_STATUS(pdn_model_add_surface_force(model, 1, 1, PDN_SHELL_SURFACE,
+                                                     PDN_FRAME_MATERIAL, PDN_TANGENTS_DIFFERENCED,
+                                                     blow, &wind, dispose, &force),
+                         PDN_OK);
+            PDN_INIT(pdn_force_info, &info);
+            CHECK_STATUS(pdn_model_force(model, force, &info), PDN_OK);
+            CHECK(force == 0 && info.kind == PDN_FORCE_IS_SURFACE_FORCE);
+            CHECK(info.shell_element == 1 && info.shell_place == PDN_SHELL_SURFACE);
+            PDN_INIT(pdn_tangent_check, &check);
+            CHECK_STATUS(pdn_model_check_tangents(model, force, 1, &check), PDN_ERR_NOT_AVAILABLE);
+        }
+        CHECK_STATUS(pdn_solve_static(model, NULL, &solution), PDN_OK);
+        CHECK(pdn_solution_outcome(solution) == PDN_CONVERGED);
+        CHECK_STATUS(pdn_model_shell_patch_node(model, &shell, 4, 0, &node), PDN_OK);
+        CHECK_STATUS(pdn_solution_node_position(solution, node, &time, 1, position), PDN_OK);
+        heights[k] = position[2];
+        pdn_solution_free(solution);
+        pdn_model_free(model);
+        CHECK(wind.destroyed == k && (wind.calls > 0) == (k == 1));
+        if (k == 1)
+            CHECK_NEAR(wind.area, 0.5, 1e-14);
+    }
+    CHECK(heights[0] > 1e-3);
+    CHECK_NEAR(heights[1], heights[0], 1e-12);
+
+    /* Small motions: z'' + rate z' + w^2 z = 0 for all modes, but for rotary inertia, which is
+       (h / L)^2 of the mass. */
+    {
+        struct wind wind = {0, 0, 0, 0, 1, 0, 0, 36};
+        pdn_modes_options options;
+        pdn_modes *modes;
+        pdn_model *model;
+        pdn_shell shell;
+        pdn_mode mode;
+        double frequency = 0;
+        wind.drag = rate * DENSITY * THICKNESS;
+        for (k = 0; k < 2; k++) {
+            CHECK_STATUS(pdn_model_new(&model), PDN_OK);
+            CHECK_STATUS(
+                pdn_model_add_shell(model, &surface, 1, 1, 5, 5, 1, &section, NULL, &shell),
+                PDN_OK);
+            clamp_start(model, &shell);
+            if (k == 1)
+                CHECK_STATUS(pdn_model_add_surface_force(
+                                 model, 0, 1, PDN_SHELL_SURFACE, PDN_FRAME_MATERIAL,
+                                 PDN_TANGENTS_GIVEN, blow, &wind, NULL, NULL),
+                             PDN_OK);
+            PDN_INIT(pdn_modes_options, &options);
+            options.count = 1;
+            CHECK_STATUS(pdn_solve_modes(model, &options, &modes), PDN_OK);
+            PDN_INIT(pdn_mode, &mode);
+            CHECK_STATUS(pdn_modes_get(modes, 0, &mode), PDN_OK);
+            if (k == 0) {
+                frequency = mode.eigenvalue_imaginary;
+            } else {
+                CHECK_NEAR(mode.eigenvalue_real / (-0.5 * rate), 1, 1e-3);
+                CHECK_NEAR(mode.eigenvalue_imaginary /
+                               sqrt(frequency * frequency - 0.25 * rate * rate),
+                           1, 1e-3);
+            }
+            pdn_modes_free(modes);
+            pdn_model_free(model);
+        }
+    }
+}
+
 /* A moment rolls a clamped strip up to a circle, nearly: the miss is that of the beam. */
 static void roll_up(void)
 {
@@ -316,9 +492,11 @@ int main(void)
 {
     surfaces();
     meshes();
+    rigid_edges();
     loads();
+    surface_forces();
     roll_up();
     sections();
-    puts("surfaces, meshes, loads and sections of shells are as they should be");
+    puts("surfaces, meshes, edges, loads, forces and sections of shells are as they should be");
     return 0;
 }

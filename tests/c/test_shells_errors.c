@@ -40,13 +40,13 @@ static struct {
 /* Where results go; filled with a pattern. */
 static struct {
     pdn_shell shell;
-    int32_t id;
+    int32_t id, number;
 } out;
 
 /* All that can be seen of the model. */
 static struct summary {
     double mass, centre[3];
-    int32_t nodes, elements;
+    int32_t nodes, elements, joints, forces;
 } expected;
 
 static void summarise(struct summary *seen)
@@ -54,6 +54,8 @@ static void summarise(struct summary *seen)
     memset(seen, 0, sizeof *seen);
     CHECK_STATUS(pdn_model_node_count(in.model, &seen->nodes), PDN_OK);
     CHECK_STATUS(pdn_model_shell_element_count(in.model, &seen->elements), PDN_OK);
+    CHECK_STATUS(pdn_model_joint_count(in.model, &seen->joints), PDN_OK);
+    CHECK_STATUS(pdn_model_force_count(in.model, &seen->forces), PDN_OK);
     CHECK_STATUS(pdn_model_mass(in.model, &seen->mass, seen->centre), PDN_OK);
 }
 
@@ -416,6 +418,56 @@ static void nodes_of_shells(void)
     REFUSES_NULL(pdn_model_shell_element_count(in.model, NULL), "count");
 }
 
+static void rigid_edges(void)
+{
+    static const int32_t off[] = {-2, 19, INT32_MAX, INT32_MIN};
+    int32_t body = PDN_GROUND, edge = PDN_SHELL_EDGE_END_XI, saved;
+    size_t count = 2;
+#define WITH(model, shell, first, joints)                                                          \
+    pdn_model_add_rigid_edge(model, body, shell, edge, first, joints)
+#define CALL WITH(in.model, &in.shell, &out.id, &out.number)
+    REFUSES_NULL(WITH(NULL, &in.shell, &out.id, &out.number), "model");
+    REFUSES_NULL(WITH(in.model, NULL, &out.id, &out.number), "shell");
+    REFUSES_NULL(WITH(in.model, &in.shell, NULL, &out.number), "first_joint");
+    REFUSES_NULL(WITH(in.model, &in.shell, &out.id, NULL), "joints");
+    REFUSES_EACH(body, int32_t, off, CALL, PDN_ERR_ID, "body: expected ");
+    REFUSES_EACH(in.shell.first_element, int32_t, bad_ids, CALL, PDN_ERR_VALUE,
+                 "shell: expected a shell of this model");
+    edge = PDN_SHELL_SURFACE;
+    REFUSED(CALL, PDN_ERR_VALUE, "edge: expected a constant PDN_SHELL_EDGE_...");
+    edge = PDN_SHELL_EDGE_START_XI;
+    in.shell.elements_v = 0;
+    REFUSED(CALL, PDN_ERR_VALUE, "shell: elements_v: expected 1 or more");
+    in.shell.elements_v = 1;
+    in.shell.nodes_v = 0;
+    REFUSED(CALL, PDN_ERR_VALUE, "v: expected ");
+    in.shell.nodes_v = 3;
+#undef CALL
+#undef WITH
+#define WITH(model, nodes, first, joints)                                                          \
+    pdn_model_add_rigid_joints(model, body, nodes, count, first, joints)
+#define CALL WITH(in.model, in.nodes, &out.id, &out.number)
+    REFUSES_NULL(WITH(NULL, in.nodes, &out.id, &out.number), "model");
+    REFUSES_NULL(WITH(in.model, NULL, &out.id, &out.number), "nodes");
+    REFUSES_NULL(WITH(in.model, in.nodes, NULL, &out.number), "first_joint");
+    REFUSES_NULL(WITH(in.model, in.nodes, &out.id, NULL), "joints");
+    REFUSES_EACH(body, int32_t, off, CALL, PDN_ERR_ID, "body: expected ");
+    REFUSES_EACH(in.nodes[1], int32_t, bad_ids, CALL, PDN_ERR_ID, "nodes[1]: expected ");
+    saved = in.nodes[1];
+    in.nodes[1] = in.nodes[0];
+    REFUSED(CALL, PDN_ERR_VALUE, "nodes: expected distinct nodes");
+    in.nodes[1] = saved;
+    count = 0;
+    REFUSED(CALL, PDN_ERR_SIZE, "count: expected 1 to ");
+    count = SIZE_MAX;
+    REFUSED(CALL, PDN_ERR_SIZE, "count: expected 1 to ");
+    count = 1;
+    body = in.nodes[0];
+    REFUSED(CALL, PDN_ERR_VALUE, "nodes: expected at least one that is not joined");
+#undef CALL
+#undef WITH
+}
+
 static void loads(void)
 {
     static const int32_t bad_counts[] = {0, 3, -1, INT32_MAX, INT32_MIN};
@@ -434,6 +486,7 @@ static void loads(void)
     REFUSES_STRUCT_SIZES(in.signal, CALL, "signal");
     REFUSES_NOT_FINITE(in.signal.mean, CALL, "signal: mean");
 #undef CALL
+#undef WITH
 #define CALL                                                                                       \
     pdn_model_set_shell_prestress(in.model, in.first_element, in.loaded, in.resultants)
     REFUSES_NULL(pdn_model_set_shell_prestress(NULL, 0, 1, in.resultants), "model");
@@ -443,6 +496,32 @@ static void loads(void)
     REFUSES_EACH(in.loaded, int32_t, bad_counts, CALL, PDN_ERR_SIZE, "elements: expected 1 to 2");
     REFUSES_NOT_FINITE_ENTRIES(in.resultants, 12, CALL, "resultants");
 #undef CALL
+}
+
+static int32_t nothing(const pdn_surface_state *state, pdn_surface_values *values, void *user_data)
+{
+    (void)state, (void)values, (void)user_data;
+    return 0;
+}
+
+static void surface_forces(void)
+{
+    static const int32_t bad_counts[] = {0, 3, -1, INT32_MAX, INT32_MIN};
+    int32_t tangents = PDN_TANGENTS_DIFFERENCED;
+#define WITH(model, function)                                                                      \
+    pdn_model_add_surface_force(model, in.first_element, in.loaded, in.place, in.frame, tangents,  \
+                                function, NULL, NULL, &out.id)
+#define CALL WITH(in.model, nothing)
+    REFUSES_NULL(WITH(NULL, nothing), "model");
+    REFUSED(WITH(in.model, NULL), PDN_ERR_NULL, "function: expected a ");
+    REFUSES_EACH(in.first_element, int32_t, bad_ids, CALL, PDN_ERR_ID,
+                 "first_element: expected a shell element id from 0 to 1");
+    REFUSES_EACH(in.loaded, int32_t, bad_counts, CALL, PDN_ERR_SIZE, "elements: expected ");
+    REFUSES_ENUMS(in.place, CALL, "place");
+    REFUSES_ENUMS(in.frame, CALL, "frame");
+    REFUSES_ENUMS(tangents, CALL, "tangents");
+#undef CALL
+#undef WITH
 }
 
 int main(void)
@@ -458,7 +537,9 @@ int main(void)
     shells_over_points();
     shells_over_nodes();
     nodes_of_shells();
+    rigid_edges();
     loads();
+    surface_forces();
 
     /* What was refused for one wrong argument is accepted without it. */
     CHECK_STATUS(pdn_model_add_shell(in.model, &in.surface, 1, 1, 2, 2, 0, &in.section,

@@ -12,11 +12,7 @@ constexpr double length = 2, width = 0.5, thickness = 0.02, young = 3e6;
 double stretch_of(pdn::Model &model, std::int32_t first_clamped, std::int32_t loaded_element,
                   std::int32_t tip, const std::vector<std::int32_t> &clamped)
 {
-    for (const auto node : clamped) {
-        const auto frame = model.node_frame(node);
-        model.add_rigid_joint(pdn::ground, node,
-                              {frame.position[0], frame.position[1], frame.position[2]});
-    }
+    CHECK(model.add_rigid_joints(pdn::ground, clamped).size() == clamped.size());
     const double before = model.node_frame(tip).position[0];
     CHECK(model.node_frame(first_clamped).position[0] == 0);
     model.add_shell_load(loaded_element, 1, pdn::ShellPlace::edge_end_xi, pdn::Frame::space,
@@ -76,7 +72,51 @@ int main()
         const auto shell = model.add_shell_grid(points, {2, 1}, {2, 1}, section,
                                                 pdn::ShellPlacement(pdn::ShellFrames::parallel));
         const auto start = start_of(model, shell);
+        {
+            // The same by the edge, of which a corner is held already.
+            pdn::Model held = model.copy();
+            CHECK(held.add_rigid_joints(pdn::ground, {start[0]}) == std::vector<std::int32_t>{0});
+            const auto joints = held.add_rigid_edge(pdn::ground, shell,
+                                                    pdn::ShellPlace::edge_start_xi);
+            CHECK(joints == std::vector<std::int32_t>{1});
+        }
         NEAR(stretch_of(model, start[0], 1, model.shell_node(shell, 4, 1), start), expected, 1e-12);
+    }
+    {
+        // A pressure by a function is the load; drag takes a velocity that there is not.
+        const auto bent = [&](bool by_function) {
+            pdn::Model model;
+            const auto shell = model.add_shell(rectangle, {2, 1}, {2, 1}, section);
+            model.add_rigid_edge(pdn::ground, shell, pdn::ShellPlace::edge_start_xi);
+            if (by_function) {
+                const auto first = model.add_surface_force(
+                    1, 1, pdn::ShellPlace::surface, pdn::Frame::material, pdn::Tangents::given,
+                    [](const pdn::SurfaceState &state, pdn::SurfaceValues &values) {
+                        double area = 0;
+                        for (std::size_t k = 0; k < state.point_count(); ++k) {
+                            area += state.size(k);
+                            CHECK(std::abs(state.place(k)[1]) < 1 && state.position(k)[0] > 0);
+                            values.force(k, 2) = 0.05 - 3 * state.velocity(k)[2];
+                            if (values.tangents_wanted()) {
+                                CHECK(values.by_motion(k, 2, 2) == 0);
+                                values.by_velocity(k, 2, 2) = -3;
+                            }
+                        }
+                        CHECK(state.element() == 1 && state.rotation(0)[8] > 0);
+                        NEAR(area, length * width / 2, 1e-14);
+                    });
+                CHECK(first == 0 && model.check_tangents(first, 1).error < 1e-7);
+                CHECK(model.force(first).shell_element == 1);
+            } else {
+                model.add_shell_load(1, 1, pdn::ShellPlace::surface, pdn::Frame::material,
+                                     pdn::Component::force_3, 0.05);
+            }
+            const auto solution = pdn::solve_static(model);
+            CHECK(solution.converged());
+            return solution.node_position(model.shell_node(shell, 4, 0), {0})[0][2];
+        };
+        CHECK(bent(false) > 1e-3);
+        NEAR(bent(true), bent(false), 1e-13);
     }
     {
         pdn::Model model;

@@ -16,6 +16,23 @@ contains
         position(:3) = [length*u, width*v, 0.0_dp]
         strip = merge(1, 0, c_associated(user_data))
     end function strip
+
+    ! A pressure, and drag in proportion to the normal velocity.
+    integer(c_int32_t) function wind(state, values, user_data) bind(C)
+        type(pdn_surface_state), intent(in) :: state
+        type(pdn_surface_values), intent(inout) :: values
+        type(c_ptr), value :: user_data
+        real(dp), pointer :: velocities(:, :), forces(:, :), slopes(:, :, :)
+
+        call c_f_pointer(state%velocities, velocities, [6, int(state%point_count)])
+        call c_f_pointer(values%forces, forces, [6, int(state%point_count)])
+        forces(3, :) = 0.05_dp - 3*velocities(3, :)
+        if (c_associated(values%by_velocity)) then
+            call c_f_pointer(values%by_velocity, slopes, [6, 6, int(state%point_count)])
+            slopes(3, 3, :) = -3
+        end if
+        wind = merge(1, 0, c_associated(user_data))
+    end function wind
 end module strips
 
 program test_shells
@@ -26,6 +43,7 @@ program test_shells
     integer, target :: dummy
 
     call stretched_strips()
+    call pressures()
     call masses()
     call refusals_of_shells()
 
@@ -82,15 +100,15 @@ contains
         type(pdn_model), intent(inout) :: model
         type(pdn_shell), intent(in) :: shell
         type(pdn_solution) :: solution
-        type(pdn_frame) :: frame
-        integer :: v, node, tip
+        integer :: first, joints, nodes(1), stat, tip
         real(dp) :: position(3, 1)
 
-        do v = 0, shell%nodes_v - 1
-            call model%shell_patch_node(shell, 0, v, node)
-            call model%node_frame(node, frame)
-            call model%add_rigid_joint(PDN_GROUND, node, frame%position)
-        end do
+        call model%add_rigid_edge(PDN_GROUND, shell, PDN_SHELL_EDGE_START_XI, first, joints)
+        call check(first == 0 .and. joints == shell%nodes_v, 'joints of an edge')
+        ! The corner is held already.
+        call model%shell_patch_node(shell, 0, 0, nodes(1))
+        call model%add_rigid_joints(PDN_GROUND, nodes, stat=stat)
+        call check(stat == PDN_ERR_VALUE, 'a node that is held')
         call model%add_shell_load(shell%first_element + 1, 1, PDN_SHELL_EDGE_END_XI, &
             PDN_FRAME_SPACE, PDN_FORCE_1, pdn_constant(600.0_dp))
         call model%solve_static(solution)
@@ -99,6 +117,39 @@ contains
         call solution%node_position(tip, [0.0_dp], position)
         call near(position(1, 1) - length, 600*length/(young*thickness), 1e-12_dp, 'stretch')
     end subroutine stretched
+
+    ! A pressure by a function is the load.
+    subroutine pressures()
+        type(pdn_model) :: model
+        type(pdn_shell) :: shell
+        type(pdn_solution) :: solution
+        type(pdn_tangent_check) :: tangents
+        real(dp) :: position(3, 1), heights(2)
+        integer :: k, force, node
+
+        do k = 1, 2
+            call model%new()
+            call model%add_shell(pdn_parallelogram(origin, length*axis_1, width*axis_2), &
+                [2, 1], [2, 1], rubber(), shell)
+            call model%add_rigid_edge(PDN_GROUND, shell, PDN_SHELL_EDGE_START_XI)
+            if (k == 1) then
+                call model%add_shell_load(1, 1, PDN_SHELL_SURFACE, PDN_FRAME_MATERIAL, &
+                    PDN_FORCE_3, pdn_constant(0.05_dp))
+            else
+                call model%add_surface_force(1, 1, PDN_SHELL_SURFACE, PDN_FRAME_MATERIAL, &
+                    PDN_TANGENTS_GIVEN, wind, first_force=force)
+                call model%check_tangents(force, 1.0_dp, tangents)
+                call check(force == 0 .and. tangents%error < 1e-7_dp, 'tangents of wind')
+            end if
+            call model%solve_static(solution)
+            call check(solution%converged(), 'converged')
+            call model%shell_node(1, 2, 0, node)
+            call solution%node_position(node, [0.0_dp], position)
+            heights(k) = position(3, 1)
+        end do
+        call check(heights(1) > 1e-3_dp, 'bent by pressure')
+        call near(heights(2), heights(1), 1e-13_dp, 'pressure by a function')
+    end subroutine pressures
 
     subroutine masses()
         type(pdn_model) :: model

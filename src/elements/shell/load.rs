@@ -1,9 +1,10 @@
 //! Loads on the surface of a shell element, and on its edges.
 
 use super::Shell;
+use crate::elements::LoadFrame;
+use crate::elements::distributed_load::{DistributedLoad, LoadPoints};
 use crate::elements::line_station::LineStation;
 use crate::elements::shape::{gauss_legendre, lobatto_points, shape_functions};
-use crate::elements::{DistributedLoad, LoadFrame};
 use crate::error::{Error, Result};
 use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
@@ -32,50 +33,49 @@ impl Shell {
         frame: LoadFrame,
         signals: [Option<usize>; 6],
     ) -> Result<DistributedLoad> {
+        let points = self.load_points(place)?;
+        let in_space = frame == LoadFrame::Space;
+        Ok(DistributedLoad::at_points(points, in_space, signals))
+    }
+
+    /// The points at which a load acts.
+    ///
+    /// # Errors
+    /// If there is no such edge, or the reference shape is too distorted.
+    pub(in crate::elements) fn load_points(&self, place: ShellLoadPlace) -> Result<LoadPoints> {
         match place {
-            ShellLoadPlace::Surface => self.surface_load(frame, signals),
-            ShellLoadPlace::Edge(edge) => self.edge_load(edge, frame, signals),
+            ShellLoadPlace::Surface => Ok(self.points_of_surface()),
+            ShellLoadPlace::Edge(edge) => self.points_of_edge(edge),
         }
     }
 
-    fn surface_load(
-        &self,
-        frame: LoadFrame,
-        signals: [Option<usize>; 6],
-    ) -> Result<DistributedLoad> {
-        let in_space = frame == LoadFrame::Space;
-        let axes = |point: &super::Point| match in_space {
-            true => Matrix3::identity(),
-            false => point.axes.turn,
-        };
-        let axes: Vec<_> = self.points.iter().map(axes).collect();
-        let areas: Vec<_> = self.points.iter().map(|point| point.area).collect();
-        let stations = self
-            .rule()
-            .into_iter()
-            .map(|(at, _)| self.grid.station(at, 0));
-        Ok(DistributedLoad::between(
-            (self.nodes.clone(), self.frames.clone()),
-            stations.collect(),
-            (in_space, &axes),
-            &areas,
-            signals,
-        ))
+    fn points_of_surface(&self) -> LoadPoints {
+        let places: Vec<_> = self.rule().into_iter().map(|(at, _)| at).collect();
+        let stations = places.iter().map(|&at| self.grid.station(at, 0));
+        LoadPoints {
+            nodes: self.nodes.clone(),
+            frames: self.frames.clone(),
+            stations: stations.collect(),
+            axes: self.points.iter().map(|point| point.axes.turn).collect(),
+            sizes: self.points.iter().map(|point| point.area).collect(),
+            places,
+        }
     }
 
-    fn edge_load(
-        &self,
-        edge: usize,
-        frame: LoadFrame,
-        signals: [Option<usize>; 6],
-    ) -> Result<DistributedLoad> {
+    fn points_of_edge(&self, edge: usize) -> Result<LoadPoints> {
         let edges = self.grid.edges();
         let Some(local) = edges.get(edge) else {
             return Err(Error::value("edge", "0 to 3", edge));
         };
-        let in_space = frame == LoadFrame::Space;
         let points = lobatto_points(local.len());
-        let (mut stations, mut axes, mut lengths) = (Vec::new(), Vec::new(), Vec::new());
+        let mut found = LoadPoints {
+            nodes: local.iter().map(|&a| self.nodes[a]).collect(),
+            frames: local.iter().map(|&a| self.frames[a]).collect(),
+            stations: Vec::new(),
+            axes: Vec::new(),
+            sizes: Vec::new(),
+            places: Vec::new(),
+        };
         for (x, weight) in gauss_legendre(local.len()) {
             let at = match edge {
                 0 => [x, -1.0],
@@ -93,23 +93,14 @@ impl Shell {
             let sign = if edge.is_multiple_of(2) { 1.0 } else { -1.0 };
             let along = along.normalize() * sign;
             let normal: Vector3<f64> = place.axes.turn.column(2).into();
-            axes.push(match in_space {
-                true => Matrix3::identity(),
-                false => Matrix3::from_columns(&[along, normal.cross(&along), normal]),
-            });
+            let axes = Matrix3::from_columns(&[along, normal.cross(&along), normal]);
+            found.axes.push(axes);
             let across = (first * first + second * second).sqrt();
-            lengths.push(weight * place.area * across);
+            found.sizes.push(weight * place.area * across);
             let shapes = shape_functions(&points, x);
-            stations.push(LineStation { shapes });
+            found.stations.push(LineStation { shapes });
+            found.places.push(at);
         }
-        let numbers = local.iter().map(|&a| self.nodes[a]).collect();
-        let frames = local.iter().map(|&a| self.frames[a]).collect();
-        Ok(DistributedLoad::between(
-            (numbers, frames),
-            stations,
-            (in_space, &axes),
-            &lengths,
-            signals,
-        ))
+        Ok(found)
     }
 }

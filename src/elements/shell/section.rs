@@ -151,6 +151,19 @@ impl ShellSection {
         }
     }
 
+    /// The same of a shell that is `factor` times as thick, all its layers alike: what stretches
+    /// grows with the thickness, what bends with its cube, what couples both with its square.
+    pub fn thickened(&self, factor: f64) -> Self {
+        // Rows of forces and of velocities first, in each of the sixes.
+        let half_power = |i: usize| if i % 6 < 3 { 1 } else { 3 };
+        let power = |i: usize, j: usize| factor.powi((half_power(i) + half_power(j)) / 2);
+        ShellSection {
+            stiffness: self.stiffness.map_with_location(|i, j, x| x * power(i, j)),
+            damping: self.damping.map_with_location(|i, j, x| x * power(i, j)),
+            mass: self.mass.map_with_location(|i, j, x| x * power(i, j)),
+        }
+    }
+
     /// The 6×6 part of stiffness or damping that gives the resultants of direction `row` by the
     /// strains of direction `column`.
     pub(super) fn part(law: &Matrix12, row: usize, column: usize) -> Matrix6<f64> {
