@@ -323,7 +323,7 @@ mod tests {
                 graph[a].extend(boundary.iter().filter(|&&b| b != a));
                 height[a] = height[a].max(height[next] + 1);
                 if coupled[a].contains(&next) && waiting[a] != NEVER {
-                    waiting[a] -= 1;
+                    waiting[a] = waiting[a].saturating_sub(1);
                 }
             }
             order.push((next, boundary));

@@ -46,11 +46,13 @@ fn check<T: Lanes>(kept: &[usize], in_fronts: bool, number: impl Fn(f64, f64) ->
                 for j in 0..structure.size(column) {
                     let (a, b) = (structure.first(row) + i, structure.first(column) + j);
                     let place = structure.entry((row, column), (i, j));
-                    for (lane, dense) in dense.iter_mut().enumerate() {
-                        let diagonal = if a == b { 9.0 } else { 0.0 };
-                        let value = number(noise(a + 31 * lane, b) + diagonal, noise(b, a + lane));
+                    let diagonal = if a == b { 9.0 } else { 0.0 };
+                    // Lanes that are not used are like the last one.
+                    for lane in 0..LANES {
+                        let of = lane.min(used - 1);
+                        let value = number(noise(a + 31 * of, b) + diagonal, noise(b, a + of));
                         lanes.at(place).set(lane, value);
-                        dense[(a, b)] = value;
+                        dense[of][(a, b)] = value;
                     }
                 }
             }
