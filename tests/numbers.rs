@@ -5,9 +5,12 @@ mod common;
 
 use common::*;
 use nalgebra::{Matrix3, Matrix6, Vector3};
-use periodyn::elements::Coordinate;
+use periodyn::elements::{Coordinate, IsotropicShell};
 use periodyn::error::{Error, ErrorKind};
-use periodyn::model::{Model, SectionInput, SectionStation, Target, straight_line};
+use periodyn::model::{
+    Model, SectionInput, SectionStation, ShellMesh, ShellPlacement, Target, rectangle,
+    straight_line,
+};
 use periodyn::output::{JointQuantity, Modes, NodeQuantity};
 use periodyn::solve::ModesOptions;
 use std::fmt::Debug;
@@ -168,6 +171,36 @@ fn parameters_move_all_or_nothing_and_to_numbers() {
         assert_eq!(model.parameters()[parameter].value, 1.0);
         assert_saved(&model);
         model.set_parameter(parameter, 2.0).unwrap();
+        assert_saved(&model);
+    }
+}
+
+#[test]
+fn a_parameter_that_makes_the_inertia_of_an_element_too_large_is_refused() {
+    // The masses per length and area are still numbers, not those of the elements.
+    let section = SectionInput::diagonal(&[1.0; 6], &[1.0; 4]).unwrap();
+    let (start, end) = (Vector3::zeros(), Vector3::x() * 1e10);
+    let mut model = Model::new();
+    let added = model.add_straight_beam(&start, &end, &Vector3::y(), &section, 1, 1);
+    added.unwrap();
+    let sheet = IsotropicShell::new(1.0, 1.0, 0.3, 1.0).section().unwrap();
+    let sides = [Vector3::x() * 1e10, Vector3::y() * 1e10];
+    let surface = rectangle(&(Vector3::z() * 1e9), &sides[0], &sides[1]).unwrap();
+    let mesh = ShellMesh {
+        elements: [1, 1],
+        degrees: [1, 1],
+        join: false,
+    };
+    let placement = ShellPlacement::default();
+    let added = model.add_shell_patch(surface, &mesh, &sheet, &placement);
+    added.unwrap();
+    for target in [Target::BeamMass(0), Target::ShellMass(0)] {
+        let mut model = model.clone();
+        let parameter = model.add_parameter("density", 1.0, 1.0).unwrap();
+        model.move_by_parameter(parameter, target, 1.0).unwrap();
+        let mass = model.mass_and_moment().unwrap();
+        assert_refused(model.set_parameter(parameter, 1e300));
+        assert_eq!(model.mass_and_moment().unwrap(), mass);
         assert_saved(&model);
     }
 }

@@ -2,7 +2,7 @@
 
 use super::bytes::Bytes;
 use super::given::{self, Arrays};
-use super::promises::{check_numbers, check_status};
+use super::promises::{check_numbers, check_status, last_message};
 use periodyn::capi::beam::*;
 use periodyn::capi::bushing::*;
 use periodyn::capi::files::*;
@@ -386,8 +386,10 @@ impl Session<'_, '_> {
         assert_eq!(call!(pdn_model_save(self.model, path)), 0);
         let loaded = call!(pdn_model_load(path, &mut model));
         assert_eq!(
-            loaded, 0,
-            "a model that was taken is one that its file gives back"
+            loaded,
+            0,
+            "a model that was taken is one that its file gives back: {}",
+            last_message()
         );
         // SAFETY: made just now.
         unsafe { pdn_model_free(model) };
@@ -395,7 +397,12 @@ impl Session<'_, '_> {
             let mut loaded = null_mut();
             assert_eq!(call!(pdn_solution_save(solution, path)), 0);
             let status = call!(pdn_solution_load(path, &mut loaded));
-            assert_eq!(status, 0, "a solution is what its file gives back");
+            assert_eq!(
+                status,
+                0,
+                "a solution is what its file gives back: {}",
+                last_message()
+            );
             self.solutions.push(loaded);
         }
     }

@@ -43,24 +43,26 @@ fn named() -> &'static HashMap<&'static str, HashSet<&'static str>> {
     })
 }
 
+/// The message of the last call that failed.
+pub fn last_message() -> String {
+    let mut message = [0; 600];
+    // SAFETY: as long as told; the library never gives more than it has room for.
+    let message = unsafe {
+        pdn_last_error(message.as_mut_ptr(), message.len());
+        CStr::from_ptr(message.as_ptr())
+    };
+    message.to_string_lossy().into_owned()
+}
+
 /// Checks what a call gave: PDN_OK, out of memory, or a status that the header names for it, with
 /// a message.
 pub fn check_status(function: &str, status: i32) {
     if status == PDN_OK {
         return;
     }
-    let mut message = [0; 600];
-    // SAFETY: as long as told; the library never gives more than it has room for.
-    let (message, name) = unsafe {
-        pdn_last_error(message.as_mut_ptr(), message.len());
-        let message = CStr::from_ptr(message.as_ptr())
-            .to_string_lossy()
-            .into_owned();
-        (
-            message,
-            CStr::from_ptr(pdn_status_name(status)).to_string_lossy(),
-        )
-    };
+    let message = last_message();
+    // SAFETY: a text for each number.
+    let name = unsafe { CStr::from_ptr(pdn_status_name(status)) }.to_string_lossy();
     assert!(
         !message.is_empty(),
         "{function} gave {name} without a message"

@@ -88,9 +88,6 @@ impl TimeGrid {
 
     /// Time of grid point `k`.
     pub fn time(&self, k: usize) -> f64 {
-        if self.map.is_identity() {
-            return self.period * k as f64 / self.points as f64;
-        }
         self.at(k as f64 / self.points as f64)
     }
 

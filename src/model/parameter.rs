@@ -225,15 +225,32 @@ impl Model {
                 let BeamDefinition {
                     sections, factors, ..
                 } = &self.beams[element];
-                sections.scaled(factors).validate()
+                sections.scaled(factors).validate()?;
+                self.require_finite_inertia(target)
             }
             Target::ShellStiffness(element)
             | Target::ShellMass(element)
-            | Target::ShellDamping(element) => self.shells[element].require_finite(),
+            | Target::ShellDamping(element) => {
+                self.shells[element].require_finite()?;
+                self.require_finite_inertia(target)
+            }
             Target::Stiffness(force, _) | Target::Damping(force, _) => match &self.forces[force] {
                 ForceDefinition::Bushing(bushing) => bushing.require_scaled(),
                 _ => Ok(()),
             },
+            _ => Ok(()),
+        }
+    }
+
+    /// Checks the inertia of an element whose mass is the target, which may be too large where its
+    /// section's entries are not.
+    fn require_finite_inertia(&self, target: Target) -> Result<()> {
+        match target {
+            Target::BeamMass(element) => self.beam_element(element)?.inertia().map(drop),
+            Target::ShellMass(element) => {
+                let shell = self.shell_of(&self.shells[element])?;
+                shell.inertia().map(drop)
+            }
             _ => Ok(()),
         }
     }

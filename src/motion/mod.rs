@@ -17,7 +17,7 @@ pub use dual::{Dual, DualMatrix, DualVector};
 pub use halves::{halves, joined, turn_of_both, turned};
 pub use interpolation::DualPolar;
 pub use logarithm::inverse_tangent;
-pub use periodic::{PeriodicMotion, append_centred};
+pub use periodic::{PeriodicMotion, append_centred, mean_position};
 pub use polar::{polar_rotation, spread_matrix, symmetric_factor_is_admissible};
 pub use product::{product, transpose, transposed_product};
 pub use rigid::{Motion, NodeState};

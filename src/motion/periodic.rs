@@ -14,13 +14,16 @@ pub struct PeriodicMotion {
     mean: Vector3<f64>,
 }
 
-/// Appends motions as dual matrices, with their mean position taken out: a translation of
-/// everything changes nothing. Gives that mean.
+/// Mean position of motions, which is taken out before they are summed: a translation of
+/// everything changes nothing.
+pub fn mean_position(motions: &[Motion]) -> Vector3<f64> {
+    motions.iter().map(|m| m.position).sum::<Vector3<f64>>() / motions.len() as f64
+}
+
+/// Appends motions as dual matrices, with their mean position taken out. Gives that mean.
 pub fn append_centred(motions: &[Motion], to: &mut Vec<DualMatrix>) -> Vector3<f64> {
-    let total = motions.iter().map(|m| m.position).sum::<Vector3<f64>>();
-    let mean = total / motions.len() as f64;
-    let centred = |m: &Motion| Motion::new(m.rotation, m.position - mean).to_dual();
-    to.extend(motions.iter().map(centred));
+    let mean = mean_position(motions);
+    to.extend(motions.iter().map(|m| m.translated(&-mean).to_dual()));
     mean
 }
 

@@ -41,6 +41,12 @@ impl Motion {
         }
     }
 
+    /// The same after a translation.
+    #[inline]
+    pub fn translated(&self, by: &Vector3<f64>) -> Motion {
+        Motion::new(self.rotation, self.position + by)
+    }
+
     /// Inverse motion.
     #[inline]
     pub fn inverse(&self) -> Motion {

@@ -186,7 +186,7 @@ fn require_periodic(signal: &BoundSignal, unit: f64) -> Result<()> {
     const PARTS: usize = 8;
     let mut size = growth.abs().max(unit);
     for k in 0..PARTS {
-        let time = signal.period() * k as f64 / PARTS as f64;
+        let time = signal.period() * (k as f64 / PARTS as f64);
         size = size.max(signal.value(time)?.abs());
     }
     if rest.abs() <= 1e-9 * size {

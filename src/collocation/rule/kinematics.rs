@@ -3,7 +3,7 @@
 
 use crate::elements::NodeState;
 use crate::fourier::Differentiation;
-use crate::motion::{DualMatrix, DualVector, Motion, append_centred};
+use crate::motion::{DualMatrix, DualVector, Motion, mean_position};
 use nalgebra::Vector6;
 
 /// Weights of the present and the past motions in first and second derivatives.
@@ -15,19 +15,16 @@ pub struct BackwardWeights {
     pub second: [f64; 4],
 }
 
-/// One node over the grid: `A_ℓ`, `B_ℓ`, `v_ℓ` and `v̇_ℓ`.
+/// One node over the grid: what velocities, accelerations and their tangents follow from. All nodes
+/// have one, and a linearisation keeps copies: no more than that.
 #[derive(Debug, Clone, Default)]
 pub struct NodeKinematics {
     /// `M_k`, with the mean position taken out.
-    motions: Vec<DualMatrix>,
+    motions: Vec<Motion>,
     /// `A_ℓ = M_ℓᵀ (D M)_ℓ`.
     a: Vec<DualMatrix>,
     /// `B_ℓ = M_ℓᵀ (T M)_ℓ`.
     b: Vec<DualMatrix>,
-    /// `v_ℓ = axial(A_ℓ)`.
-    velocity: Vec<DualVector>,
-    /// `v̇_ℓ = axial(B_ℓ − 2 ṽ_ℓ A_ℓ)`.
-    acceleration: Vec<DualVector>,
 }
 
 /// Numbers of a matrix.
@@ -107,24 +104,23 @@ impl NodeKinematics {
         motions: &[Motion],
         scratch: &mut KinematicsScratch,
     ) {
-        let n = motions.len();
-        self.velocity.resize(n, DualVector::zeros());
-        self.acceleration.resize(n, DualVector::zeros());
+        let mean = mean_position(motions);
         self.motions.clear();
-        append_centred(motions, &mut self.motions);
+        self.motions
+            .extend(motions.iter().map(|m| m.translated(&-mean)));
         let series = &mut scratch.series;
-        series.resize(n);
+        series.resize(motions.len());
         for (k, motion) in self.motions.iter().enumerate() {
-            series.set(k, motion);
+            series.set(k, &motion.to_dual());
         }
         series.differentiate(operators);
         self.a.clear();
         self.b.clear();
         for (l, motion) in self.motions.iter().enumerate() {
+            let motion = motion.to_dual();
             self.a.push(motion.tr_mul(&series.first(l)));
             self.b.push(motion.tr_mul(&series.second(l)));
         }
-        self.finish();
     }
 
     /// The same for one point in time, whose derivatives are backward differences with the weights
@@ -137,28 +133,16 @@ impl NodeKinematics {
     ) {
         // Relative to the present motion, so that M is the identity and A, B are the sums
         // themselves.
-        let identity = Motion::identity().to_dual();
+        let identity = DualMatrix::identity();
         let (mut a, mut b) = (identity * weights.first[0], identity * weights.second[0]);
         for (step, motion) in past.enumerate().take(weights.first.len() - 1) {
             let m = present.relative(motion).to_dual();
             a += m * weights.first[step + 1];
             b += m * weights.second[step + 1];
         }
-        self.motions = vec![identity];
+        self.motions = vec![Motion::identity()];
         self.a = vec![a];
         self.b = vec![b];
-        self.velocity.resize(1, DualVector::zeros());
-        self.acceleration.resize(1, DualVector::zeros());
-        self.finish();
-    }
-
-    /// `v_ℓ` and `v̇_ℓ` from `A_ℓ` and `B_ℓ`.
-    fn finish(&mut self) {
-        for l in 0..self.motions.len() {
-            let v = self.a[l].axial();
-            self.velocity[l] = v;
-            self.acceleration[l] = (self.b[l] - v.skew() * self.a[l] * 2.0).axial();
-        }
     }
 
     /// Number of grid points.
@@ -167,8 +151,9 @@ impl NodeKinematics {
     }
 
     /// `M_ℓ`, with the mean position taken out.
+    #[inline(always)]
     pub fn motion(&self, l: usize) -> DualMatrix {
-        self.motions[l]
+        self.motions[l].to_dual()
     }
 
     /// `A_ℓ`.
@@ -176,9 +161,10 @@ impl NodeKinematics {
         self.a[l]
     }
 
-    /// `v_ℓ`.
+    /// `v_ℓ = axial(A_ℓ)`.
+    #[inline(always)]
     pub fn velocity(&self, l: usize) -> DualVector {
-        self.velocity[l]
+        self.a[l].axial()
     }
 
     /// Writes what the node does at the grid points, with the `motions` that were evaluated.
@@ -186,15 +172,15 @@ impl NodeKinematics {
         for (l, (state, motion)) in states.iter_mut().zip(motions).enumerate() {
             *state = NodeState {
                 motion: *motion,
-                twist: self.velocity[l].to_twist(),
-                twist_rate: self.acceleration[l].to_twist(),
+                twist: self.velocity(l).to_twist(),
+                twist_rate: self.acceleration(l).to_twist(),
             };
         }
     }
 
-    /// `v̇_ℓ`.
+    /// `v̇_ℓ = axial(B_ℓ − 2 ṽ_ℓ A_ℓ)`.
     pub fn acceleration(&self, l: usize) -> DualVector {
-        self.acceleration[l]
+        (self.b[l] - self.velocity(l).skew() * self.a[l] * 2.0).axial()
     }
 
     /// `Δv_ℓ = Σ_k Γ_v Δu_k` and `Δv̇_ℓ = Σ_k Γ_a Δu_k` for `increments` of all grid points, six
@@ -214,12 +200,12 @@ impl NodeKinematics {
         series.resize(self.motions.len());
         let twist = |u: &[f64]| DualVector::from_twist(&Vector6::from_column_slice(u));
         let increments = increments.chunks_exact(6);
-        for (k, (motion, u)) in self.motions.iter().zip(increments.clone()).enumerate() {
-            series.set(k, &motion.times_skew(&twist(u)));
+        for (k, u) in increments.clone().enumerate() {
+            series.set(k, &self.motion(k).times_skew(&twist(u)));
         }
         series.differentiate(operators);
         for (l, (rates, u)) in rates.iter_mut().zip(increments).enumerate() {
-            let (motion, u, v) = (&self.motions[l], twist(u), self.velocity[l]);
+            let (motion, u, v) = (self.motion(l), twist(u), self.velocity(l));
             let (a, b) = (&self.a[l], &self.b[l]);
             let (first, second) = (series.first(l), series.second(l));
             let delta_v = motion.axial_of_tr_mul(&first) - a.trace_minus_times(&u) * 0.5;
@@ -259,17 +245,17 @@ impl NodeKinematics {
             let q = DualVector::from_wrench(by_acceleration);
             let p = DualVector::from_wrench(by_velocity) - self.a[l].trace_minus_transpose() * q;
             by_b.push(q.skew());
-            by_a.push(p.skew() + self.velocity[l].skew() * by_b[l] * 2.0);
-            series.set(l, &(self.motions[l] * by_a[l]));
+            by_a.push(p.skew() + self.velocity(l).skew() * by_b[l] * 2.0);
+            series.set(l, &(self.motion(l) * by_a[l]));
         }
         series.differentiate(operators);
         sums.extend((0..self.motions.len()).map(|k| series.first(k)));
-        for (l, (motion, by_b)) in self.motions.iter().zip(&*by_b).enumerate() {
-            series.set(l, &(*motion * *by_b));
+        for (l, by_b) in by_b.iter().enumerate() {
+            series.set(l, &(self.motion(l) * *by_b));
         }
         series.differentiate(operators);
         for (k, out) in out.chunks_exact_mut(6).enumerate() {
-            let sum = self.motions[k].tr_mul(&(series.second(k) - sums[k]))
+            let sum = self.motion(k).tr_mul(&(series.second(k) - sums[k]))
                 - by_a[k] * self.a[k].transpose()
                 - by_b[k] * self.b[k].transpose();
             let wrench = sum.axial().to_wrench();
@@ -284,11 +270,11 @@ impl NodeKinematics {
     pub fn tangent(&self, weights: (f64, f64), l: usize, k: usize) -> [DualMatrix; 2] {
         let [mut gamma_v, mut gamma_a] = self.carried(weights, l, k);
         if l == k {
-            let (a, b, v) = (&self.a[l], &self.b[l], &self.velocity[l]);
+            let (a, b, v) = (&self.a[l], &self.b[l], self.velocity(l));
             let a_spread = a.trace_minus();
             gamma_v = gamma_v - a_spread * 0.5;
-            gamma_a = gamma_a - b.trace_minus() * 0.5 + (a.transpose() * *v).skew()
-                - a.axial().outer(v) * 2.0
+            gamma_a = gamma_a - b.trace_minus() * 0.5 + (a.transpose() * v).skew()
+                - v.outer(&v) * 2.0
                 + a_spread * a_spread * 0.5;
         }
         [gamma_v, gamma_a]
@@ -299,11 +285,11 @@ impl NodeKinematics {
         // The zeros of the identity are wanted where a motion at rest has nothing else.
         let s = match l == k {
             true => DualMatrix::identity(),
-            false => self.motions[l].tr_mul(&self.motions[k]),
+            false => self.motion(l).tr_mul(&self.motion(k)),
         };
         // ½ D_ℓk (tr(S) I − Sᵀ), and with W = T_ℓk S − 2 D_ℓk ṽ S the same for the acceleration.
         let gamma_v = s.trace_minus_transpose() * (0.5 * d);
-        let w = s * t - self.velocity[l].skew() * s * (2.0 * d);
+        let w = s * t - self.velocity(l).skew() * s * (2.0 * d);
         let gamma_a = w.trace_minus_transpose() * 0.5 - self.a[l].trace_minus() * gamma_v;
         [gamma_v, gamma_a]
     }

@@ -270,7 +270,7 @@ fn varies(system: &System, grid: TimeGrid) -> Result<bool> {
     }
     const SAMPLES: usize = 8;
     let values = |k: usize| -> Result<Vec<f64>> {
-        let time = grid.period() * k as f64 / SAMPLES as f64;
+        let time = grid.period() * (k as f64 / SAMPLES as f64);
         let mut values = vec![0.0; system.signals()];
         system.signal_values(time, 1.0, &mut values)?;
         Ok(values)

@@ -201,7 +201,7 @@ impl Stability {
 
     /// The times of a mode's shape: ends of the steps.
     pub fn times(&self) -> Vec<f64> {
-        let step = |k: usize| self.period * (k + 1) as f64 / self.steps as f64;
+        let step = |k: usize| self.period * ((k + 1) as f64 / self.steps as f64);
         (0..self.steps).map(step).collect()
     }
 }

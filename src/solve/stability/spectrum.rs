@@ -220,7 +220,7 @@ impl Spectrum {
         let mut largest = Complex::<f64>::default();
         let mut shape = Vec::with_capacity(steps);
         for step in 0..steps {
-            let time = period * (step + 1) as f64 / steps as f64;
+            let time = period * ((step + 1) as f64 / steps as f64);
             let factor = (-exponent * time).exp();
             let all = self.disturbance(j, step);
             for x in &all {

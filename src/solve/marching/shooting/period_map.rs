@@ -57,7 +57,7 @@ impl PeriodMap {
             }
             // No drift of the time by rounding.
             self.marcher
-                .set_time(self.period * k as f64 / self.steps as f64);
+                .set_time(self.period * (k as f64 / self.steps as f64));
             orbit.ends.push(self.marcher.now().state.clone());
         }
         orbit.end = self.marcher.now().clone();
@@ -102,7 +102,7 @@ impl PeriodMap {
         let (method, length) = (self.marcher.method, self.period / self.steps as f64);
         let newton = &mut self.marcher.newton;
         for (k, (start, end)) in orbit.starts.iter().zip(&orbit.ends).enumerate() {
-            let time = self.period * (k + 1) as f64 / self.steps as f64;
+            let time = self.period * ((k + 1) as f64 / self.steps as f64);
             newton.equations.set_conditions(Conditions::at(time))?;
             let step = AlphaStep::new(method, length, start.clone());
             newton.equations.set_rule(Box::new(step.clone()));
