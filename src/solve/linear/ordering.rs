@@ -1,6 +1,7 @@
 //! Order in which the direct solver eliminates nodes and multipliers, and the fronts that follow.
 
-use std::collections::BTreeSet;
+use std::cmp::Reverse;
+use std::collections::{BTreeSet, BinaryHeap};
 
 /// What is eliminated together, and what it is coupled to at that time.
 #[derive(Debug, Clone)]
@@ -17,6 +18,10 @@ pub(crate) struct FrontPlan {
 
 /// Fronts with fewer unknowns than this are merged with their parents: a dense kernel wants work.
 const SMALLEST_FRONT: usize = 48;
+/// The same where entries that are zero cost more, and the part of these that a larger front may
+/// have.
+const SMALL_FRONT: usize = 24;
+const MOST_ZEROS: f64 = 0.1;
 
 /// Plans the elimination of groups of unknowns with the given `sizes` and couplings, children
 /// first.
@@ -36,7 +41,17 @@ pub(crate) fn plan(
             neighbours.iter().filter(|&&n| n != g).count()
         }
     });
-    merge(sizes, elimination(sizes, coupled, waiting.collect()))
+    let order = elimination(sizes, coupled, waiting.collect());
+    merge(sizes, order, |joined| joined.own <= SMALLEST_FRONT)
+}
+
+/// Fronts that hardly have more entries than the elimination of one group after the other in this
+/// `order`, in which some groups may be left.
+pub(crate) fn joined_fronts(sizes: &[usize], order: Vec<FrontPlan>) -> Vec<FrontPlan> {
+    merge(sizes, order, |joined| {
+        let zeros = joined.zeros as f64;
+        joined.own <= SMALL_FRONT || zeros <= MOST_ZEROS * joined.entries as f64
+    })
 }
 
 /// Has a group wait for ever.
@@ -49,35 +64,28 @@ pub(crate) fn elimination(
     coupled: &[BTreeSet<usize>],
     mut waiting: Vec<usize>,
 ) -> Vec<FrontPlan> {
-    let count = sizes.len();
-    let mut graph = coupled.to_vec();
-    for (group, neighbours) in graph.iter_mut().enumerate() {
-        neighbours.remove(&group);
-    }
-    let mut left: BTreeSet<usize> = (0..count).collect();
-    let mut fronts: Vec<FrontPlan> = Vec::new();
-    let degree =
-        |g: usize, graph: &[BTreeSet<usize>]| -> usize { graph[g].iter().map(|&n| sizes[n]).sum() };
-    let mut degrees: Vec<usize> = (0..count).map(|g| degree(g, &graph)).collect();
+    let mut graph = QuotientGraph::new(sizes, coupled);
     // Length of the longest way to each front from the leaves of the tree.
-    let mut height = vec![0; count];
-    while let Some(&next) = left
-        .iter()
-        .filter(|&&g| waiting[g] == 0)
-        .min_by_key(|&&g| (degrees[g], height[g], g))
-    {
-        left.remove(&next);
-        let boundary: Vec<usize> = graph[next].iter().copied().collect();
+    let mut height = vec![0; sizes.len()];
+    // Those that do not wait, least first; what has changed since it was put here is there again.
+    let ready = (0..sizes.len()).filter(|&g| waiting[g] == 0);
+    let mut queue: BinaryHeap<_> = ready
+        .map(|g| Reverse((graph.degrees[g], height[g], g)))
+        .collect();
+    let mut fronts: Vec<FrontPlan> = Vec::new();
+    while let Some(Reverse((degree, high, next))) = queue.pop() {
+        if graph.eliminated[next] || (degree, high) != (graph.degrees[next], height[next]) {
+            continue;
+        }
+        let boundary = graph.eliminate(next);
         for &a in &boundary {
-            graph[a].remove(&next);
-            graph[a].extend(boundary.iter().filter(|&&b| b != a));
-            if coupled[a].contains(&next) && waiting[a] != NEVER {
+            if waiting[a] != NEVER && coupled[a].contains(&next) {
                 waiting[a] = waiting[a].saturating_sub(1);
             }
-        }
-        for &a in &boundary {
-            degrees[a] = degree(a, &graph);
-            height[a] = height[a].max(height[next] + 1);
+            height[a] = height[a].max(high + 1);
+            if waiting[a] == 0 {
+                queue.push(Reverse((graph.degrees[a], height[a], a)));
+            }
         }
         fronts.push(FrontPlan {
             own: vec![next],
@@ -89,27 +97,136 @@ pub(crate) fn elimination(
     fronts
 }
 
-/// Links fronts to their parents, the next of their boundary to be eliminated, and merges small
-/// ones.
-fn merge(sizes: &[usize], fronts: Vec<FrontPlan>) -> Vec<FrontPlan> {
-    let mut step = vec![0; sizes.len()];
+/// Which groups are coupled with each other as elimination goes on: those that were at first, and
+/// all those of the boundary of an eliminated one, told by the list of these.
+struct QuotientGraph<'a> {
+    sizes: &'a [usize],
+    /// Of each group: others that it was coupled with at first, unless they share a boundary.
+    others: Vec<Vec<usize>>,
+    /// Of each group: the eliminated ones in whose boundaries it is.
+    boundaries_with: Vec<Vec<usize>>,
+    /// Boundaries of eliminated groups, as far as they are not part of later ones.
+    boundaries: Vec<Vec<usize>>,
+    eliminated: Vec<bool>,
+    /// Unknowns of all that each group is coupled with.
+    degrees: Vec<usize>,
+    /// Of each group: when it was met last.
+    met: Vec<usize>,
+    now: usize,
+}
+
+impl<'a> QuotientGraph<'a> {
+    fn new(sizes: &'a [usize], coupled: &[BTreeSet<usize>]) -> Self {
+        let others = coupled.iter().enumerate().map(|(group, neighbours)| {
+            let others = neighbours.iter().copied();
+            others.filter(|&n| n != group).collect::<Vec<_>>()
+        });
+        let others: Vec<_> = others.collect();
+        let degree = |others: &Vec<usize>| others.iter().map(|&n| sizes[n]).sum();
+        QuotientGraph {
+            degrees: others.iter().map(degree).collect(),
+            others,
+            boundaries_with: vec![Vec::new(); sizes.len()],
+            boundaries: vec![Vec::new(); sizes.len()],
+            eliminated: vec![false; sizes.len()],
+            met: vec![0; sizes.len()],
+            now: 0,
+            sizes,
+        }
+    }
+
+    /// All that a group is coupled with, in no order; none twice.
+    fn neighbours(&mut self, group: usize, mut visit: impl FnMut(usize)) {
+        self.now += 1;
+        self.met[group] = self.now;
+        let lists = self.boundaries_with[group].iter();
+        let boundaries = &self.boundaries;
+        let lists = lists.map(|&b| &boundaries[b]);
+        let (met, eliminated, now) = (&mut self.met, &self.eliminated, self.now);
+        for &n in lists.chain([&self.others[group]]).flatten() {
+            if !eliminated[n] && met[n] != now {
+                met[n] = now;
+                visit(n);
+            }
+        }
+    }
+
+    /// Eliminates a group; what it was coupled with, in ascending order.
+    fn eliminate(&mut self, group: usize) -> Vec<usize> {
+        let mut boundary = Vec::new();
+        self.neighbours(group, |n| boundary.push(n));
+        boundary.sort_unstable();
+        self.eliminated[group] = true;
+        self.others[group] = Vec::new();
+        // Parts of the new boundary.
+        for part in std::mem::take(&mut self.boundaries_with[group]) {
+            self.boundaries[part] = Vec::new();
+        }
+        // The group and its boundary are those met now.
+        for &a in &boundary {
+            let (met, now) = (&self.met, self.now);
+            self.others[a].retain(|&n| met[n] != now);
+            let boundaries = &self.boundaries;
+            self.boundaries_with[a].retain(|&b| !boundaries[b].is_empty());
+            self.boundaries_with[a].push(group);
+        }
+        self.boundaries[group] = boundary.clone();
+        for &a in &boundary {
+            let (mut degree, sizes) = (0, self.sizes);
+            self.neighbours(a, |n| degree += sizes[n]);
+            self.degrees[a] = degree;
+        }
+        boundary
+    }
+}
+
+/// What a front and its parent are as one.
+struct Joined {
+    /// Unknowns that are eliminated.
+    own: usize,
+    /// Entries of the factors.
+    entries: usize,
+    /// How many of them would not be there if groups were eliminated one by one.
+    zeros: usize,
+}
+
+/// Links fronts to their parents, the next of their boundary to be eliminated, and merges those
+/// that are to be `joined`.
+fn merge(
+    sizes: &[usize],
+    fronts: Vec<FrontPlan>,
+    joined: impl Fn(Joined) -> bool,
+) -> Vec<FrontPlan> {
+    let mut step = vec![usize::MAX; sizes.len()];
     for (i, front) in fronts.iter().enumerate() {
         step[front.own[0]] = i;
     }
+    // What is left is never eliminated.
+    let next = |front: &FrontPlan| front.boundary.iter().map(|&g| step[g]).min();
     let parent: Vec<Option<usize>> = fronts
         .iter()
-        .map(|f| f.boundary.iter().map(|&g| step[g]).min())
+        .map(|front| next(front).filter(|&step| step != usize::MAX))
         .collect();
     let size = |groups: &[usize]| groups.iter().map(|&g| sizes[g]).sum::<usize>();
-    // Front i is merged into its parent: `into[i]` leads there, transitively.
+    let entries = |own: usize, boundary: &[usize]| own * (own + 2 * size(boundary));
     let mut fronts = fronts;
+    let mut own: Vec<usize> = fronts.iter().map(|front| size(&front.own)).collect();
+    let mut zeros = vec![0; fronts.len()];
     let mut merged = vec![false; fronts.len()];
     for i in 0..fronts.len() {
         let Some(p) = parent[i] else { continue };
-        if size(&fronts[i].own) + size(&fronts[p].own) <= SMALLEST_FRONT {
-            let own = std::mem::take(&mut fronts[i].own);
-            fronts[p].own.splice(0..0, own);
-            merged[i] = true;
+        let both = [i, p].map(|f| entries(own[f], &fronts[f].boundary));
+        let all = entries(own[i] + own[p], &fronts[p].boundary);
+        let new = Joined {
+            own: own[i] + own[p],
+            entries: all,
+            zeros: (all + zeros[i] + zeros[p]).saturating_sub(both[0] + both[1]),
+        };
+        let (count, more) = (new.own, new.zeros);
+        if joined(new) {
+            let groups = std::mem::take(&mut fronts[i].own);
+            fronts[p].own.splice(0..0, groups);
+            (own[p], zeros[p], merged[i]) = (count, more, true);
         }
     }
     let survivor = |mut i: usize| {
@@ -179,6 +296,74 @@ fn subtree_by_subtree(fronts: Vec<FrontPlan>) -> Vec<FrontPlan> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// The order by its definition, with all couplings that elimination makes.
+    fn by_definition(
+        sizes: &[usize],
+        coupled: &[BTreeSet<usize>],
+        mut waiting: Vec<usize>,
+    ) -> Vec<(usize, Vec<usize>)> {
+        let mut graph = coupled.to_vec();
+        for (group, neighbours) in graph.iter_mut().enumerate() {
+            neighbours.remove(&group);
+        }
+        let mut left: BTreeSet<usize> = (0..sizes.len()).collect();
+        let mut height = vec![0; sizes.len()];
+        let mut order = Vec::new();
+        loop {
+            let degree = |g: usize| graph[g].iter().map(|&n| sizes[n]).sum::<usize>();
+            let ready = left.iter().copied().filter(|&g| waiting[g] == 0);
+            let Some(next) = ready.min_by_key(|&g| (degree(g), height[g], g)) else {
+                return order;
+            };
+            left.remove(&next);
+            let boundary: Vec<usize> = graph[next].iter().copied().collect();
+            for &a in &boundary {
+                graph[a].remove(&next);
+                graph[a].extend(boundary.iter().filter(|&&b| b != a));
+                height[a] = height[a].max(height[next] + 1);
+                if coupled[a].contains(&next) && waiting[a] != NEVER {
+                    waiting[a] = waiting[a].saturating_sub(1);
+                }
+            }
+            order.push((next, boundary));
+        }
+    }
+
+    #[test]
+    fn elimination_is_that_of_the_least_degree() {
+        let mut last = 1u64;
+        let mut random = |below: usize| {
+            last = last
+                .wrapping_mul(6364136223846793005)
+                .wrapping_add(1442695040888963407);
+            (last >> 33) as usize % below
+        };
+        for case in 0..300 {
+            let count = 1 + random(30);
+            let mut coupled = vec![BTreeSet::new(); count];
+            for _ in 0..random(3 * count) {
+                let (a, b) = (random(count), random(count));
+                coupled[a].insert(b);
+                coupled[b].insert(a);
+            }
+            let sizes: Vec<usize> = (0..count).map(|_| [1, 3, 6, 6, 12][random(5)]).collect();
+            let others = |g: usize| coupled[g].iter().filter(|&&n| n != g).count();
+            let waiting: Vec<usize> = (0..count)
+                .map(|g| match random(5) {
+                    0 => others(g),
+                    1 if case % 2 == 0 => NEVER,
+                    _ => 0,
+                })
+                .collect();
+            let found = elimination(&sizes, &coupled, waiting.clone());
+            let found = found
+                .into_iter()
+                .map(|front| (front.own[0], front.boundary));
+            let found: Vec<_> = found.collect();
+            assert_eq!(found, by_definition(&sizes, &coupled, waiting), "{case}");
+        }
+    }
 
     #[test]
     fn every_group_is_eliminated_once_and_boundaries_come_later() {

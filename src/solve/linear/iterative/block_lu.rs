@@ -1,8 +1,9 @@
 //! LU factorisations of many small sparse matrices with one structure: those of all harmonics, or
 //! of all grid points. Blocks are those of nodes; pivots are sought within a block.
 
+use super::fronts::{Factors, FrontScratch, Fronts, pay};
 use super::lanes::{LANES, Lanes};
-use crate::solve::linear::ordering::{NEVER, elimination};
+use crate::solve::linear::ordering::{FrontPlan, NEVER, elimination};
 use nalgebra::ComplexField;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -16,7 +17,9 @@ pub(super) struct BlockStructure {
     /// First unknown of each block row.
     first: Vec<usize>,
     unknowns: usize,
+    /// Block by block, or in fronts.
     steps: Vec<Step>,
+    fronts: Option<Fronts>,
     /// Pairs of rows that are not eliminated, with the places of their blocks.
     kept: Vec<(usize, usize, usize)>,
     /// First entry of each block.
@@ -55,6 +58,17 @@ impl BlockStructure {
     pub fn new(sizes: Vec<usize>, coupled: Vec<BTreeSet<usize>>, kept: &[bool]) -> Self {
         let waiting = kept.iter().map(|kept| if *kept { NEVER } else { 0 });
         let order = elimination(&sizes, &coupled, waiting.collect());
+        let in_fronts = pay(&sizes, &order);
+        Self::in_order((sizes, coupled), kept, order, in_fronts)
+    }
+
+    /// For block rows with these sizes and couplings, eliminated in this order.
+    pub(super) fn in_order(
+        (sizes, coupled): (Vec<usize>, Vec<BTreeSet<usize>>),
+        kept: &[bool],
+        order: Vec<FrontPlan>,
+        in_fronts: bool,
+    ) -> Self {
         let mut first = Vec::with_capacity(sizes.len());
         let mut unknowns = 0;
         for size in &sizes {
@@ -69,33 +83,25 @@ impl BlockStructure {
                 entries - sizes[row] * sizes[column]
             })
         };
-        let steps: Vec<Step> = order
-            .iter()
-            .map(|front| {
-                let pivot = front.own[0];
-                Step {
-                    pivot,
-                    pivot_block: place(pivot, pivot),
-                    later: front
-                        .boundary
-                        .iter()
-                        .map(|&other| (other, place(other, pivot), place(pivot, other)))
-                        .collect(),
-                    changed: front
-                        .boundary
-                        .iter()
-                        .flat_map(|&row| front.boundary.iter().map(move |&column| (row, column)))
-                        .map(|(row, column)| place(row, column))
-                        .collect(),
-                }
-            })
-            .collect();
+        // What is kept comes first, for the rest to be dropped where there are fronts.
+        for (row, neighbours) in coupled.iter().enumerate().filter(|(row, _)| kept[*row]) {
+            for &column in neighbours.iter().chain([&row]).filter(|&&c| kept[c]) {
+                place(row, column);
+            }
+        }
+        let (steps, fronts) = match in_fronts {
+            true => {
+                let fronts = Fronts::new(&sizes, &coupled, order, &mut place);
+                (Vec::new(), Some(fronts))
+            }
+            false => (steps(&order, &mut place), None),
+        };
         for (row, neighbours) in coupled.iter().enumerate() {
             for &column in neighbours.iter().chain([&row]) {
                 place(row, column);
             }
         }
-        let kept = blocks
+        let kept: Vec<_> = blocks
             .iter()
             .filter(|((row, column), _)| kept[*row] && kept[*column])
             .map(|(&(row, column), &place)| (row, column, place))
@@ -106,6 +112,7 @@ impl BlockStructure {
             first,
             unknowns,
             steps,
+            fronts,
             blocks,
             entries,
         }
@@ -136,11 +143,6 @@ impl BlockStructure {
         (self.first[row], self.sizes[row])
     }
 
-    /// Number of stored entries of one matrix.
-    pub fn entries(&self) -> usize {
-        self.entries
-    }
-
     /// What begins at an unknown of a block row and at one of a block column, whose block must be
     /// there.
     pub fn block_at(
@@ -165,19 +167,65 @@ impl BlockStructure {
     }
 }
 
+/// The elimination of one block row after the other, where `place` tells places of blocks.
+fn steps(order: &[FrontPlan], mut place: impl FnMut(usize, usize) -> usize) -> Vec<Step> {
+    let step = |front: &FrontPlan| {
+        let pivot = front.own[0];
+        let pivot_block = place(pivot, pivot);
+        let later = front.boundary.iter();
+        let later = later.map(|&other| (other, place(other, pivot), place(pivot, other)));
+        let later = later.collect();
+        let pairs = front.boundary.iter();
+        let pairs = pairs.flat_map(|&row| front.boundary.iter().map(move |&column| (row, column)));
+        Step {
+            pivot,
+            pivot_block,
+            later,
+            changed: pairs.map(|(row, column)| place(row, column)).collect(),
+        }
+    };
+    order.iter().map(step).collect()
+}
+
 /// [`LANES`] matrices, or their factors: `L` and `U` without the diagonal blocks, and these
-/// inverted.
+/// inverted; or those of fronts, and what is kept.
 #[derive(Debug, Clone)]
-pub(super) struct BlockLanes<T> {
+pub(super) struct BlockLanes<T: Lanes> {
     values: Vec<T>,
+    /// How many of them differ.
+    used: usize,
+    fronts: Vec<Factors<T::Number>>,
+}
+
+/// Memory that a solution needs.
+pub(super) struct Scratch<T: Lanes> {
+    lanes: Vec<T>,
+    fronts: FrontScratch<T::Number>,
+}
+
+impl<T: Lanes> Default for Scratch<T> {
+    fn default() -> Self {
+        Scratch {
+            lanes: Vec::new(),
+            fronts: FrontScratch::default(),
+        }
+    }
 }
 
 impl<T: Lanes> BlockLanes<T> {
-    /// Zero matrices.
-    pub fn new(structure: &BlockStructure) -> Self {
+    /// Zero matrices, of which so many will differ: others are like the last of these.
+    pub fn new(structure: &BlockStructure, used: usize) -> Self {
         BlockLanes {
             values: vec![T::zero(); structure.entries],
+            used: used.min(LANES),
+            fronts: Vec::new(),
         }
+    }
+
+    /// Bytes that the factors take.
+    pub fn bytes(&self) -> usize {
+        let fronts = self.fronts.iter().map(Factors::bytes);
+        size_of_val(&self.values[..]) + fronts.sum::<usize>()
     }
 
     /// The entry at a place.
@@ -192,8 +240,30 @@ impl<T: Lanes> BlockLanes<T> {
 
     /// Factors all matrices in place, but for rows that are kept: there remain their Schur
     /// complements. `false` if one is singular.
-    ///
     pub fn factor(&mut self, structure: &BlockStructure) -> bool {
+        match &structure.fronts {
+            Some(fronts) => self.factor_fronts(structure, fronts),
+            None => self.factor_blocks(structure),
+        }
+    }
+
+    fn factor_fronts(&mut self, structure: &BlockStructure, fronts: &Fronts) -> bool {
+        for lane in 0..self.used {
+            let Some(factors) = fronts.factor(&mut self.values, lane) else {
+                return false;
+            };
+            self.fronts.push(factors);
+        }
+        // Where the last kept block ends.
+        let kept = structure.kept.iter();
+        let ends = kept
+            .map(|&(row, column, place)| place + structure.sizes[row] * structure.sizes[column]);
+        self.values.truncate(ends.max().unwrap_or(0));
+        self.values.shrink_to_fit();
+        true
+    }
+
+    fn factor_blocks(&mut self, structure: &BlockStructure) -> bool {
         let mut left = Vec::new();
         for step in &structure.steps {
             let size = structure.sizes[step.pivot];
@@ -234,7 +304,12 @@ impl<T: Lanes> BlockLanes<T> {
     }
 
     /// Solves with `L`: what is left at rows that are kept is their reduced right-hand side.
-    pub fn forward(&self, structure: &BlockStructure, x: &mut [T]) {
+    pub fn forward(&self, structure: &BlockStructure, x: &mut [T], scratch: &mut Scratch<T>) {
+        if let Some(fronts) = &structure.fronts {
+            for (lane, factors) in self.fronts.iter().enumerate() {
+                factors.forward(fronts, (x, lane), &mut scratch.fronts);
+            }
+        }
         for step in &structure.steps {
             for &(row, below, _) in &step.later {
                 let (pivot, target) = two(x, structure.part(step.pivot), structure.part(row));
@@ -246,7 +321,13 @@ impl<T: Lanes> BlockLanes<T> {
     }
 
     /// Solves with `U`, where rows that are kept are known.
-    pub fn backward(&self, structure: &BlockStructure, x: &mut [T], scratch: &mut Vec<T>) {
+    pub fn backward(&self, structure: &BlockStructure, x: &mut [T], scratch: &mut Scratch<T>) {
+        if let Some(fronts) = &structure.fronts {
+            for (lane, factors) in self.fronts.iter().enumerate() {
+                factors.backward(fronts, (x, lane), &mut scratch.fronts);
+            }
+        }
+        let scratch = &mut scratch.lanes;
         for step in structure.steps.iter().rev() {
             for &(row, _, beside) in &step.later {
                 let (other, target) = two(x, structure.part(row), structure.part(step.pivot));

@@ -12,7 +12,7 @@
 //! `G_k = Q_k Ḡ`. At the nodes of other joints there remains the dynamic stiffness of the bodies
 //! between them, and a system over all grid points. See docs/theory.md, section 8.5.
 
-use super::block_lu::BlockLanes;
+use super::block_lu::{BlockLanes, Scratch};
 use super::constraints::{
     Class, Joints, RowRotation, classify, keep_neighbours, row_rotations, turning_nodes,
 };
@@ -216,8 +216,7 @@ impl BodyCirculant {
 
     /// Bytes that the factors take.
     pub fn bytes(&self) -> usize {
-        let harmonics =
-            size_of::<ComplexLanes>() * self.layout.structure.entries() * self.factors.len();
+        let harmonics: usize = self.factors.iter().map(BlockLanes::bytes).sum();
         harmonics + self.interface.as_ref().map_or(0, Interface::bytes)
     }
 
@@ -233,26 +232,31 @@ impl BodyCirculant {
         let (structure, spectra, spectrum_at) =
             (&self.layout.structure, &self.spectra, &self.spectrum_at);
         let (factors, last) = (&self.factors, self.points / 2);
-        self.workers.each(&mut self.lanes, |chunk, lanes| {
-            for (number, &at) in lanes.iter_mut().zip(spectrum_at) {
-                for lane in 0..LANES {
-                    number.set(lane, spectra[at + (LANES * chunk + lane).min(last)]);
+        let scratches = &mut Vec::new();
+        self.workers.for_each(
+            &mut self.lanes,
+            scratches,
+            Scratch::default,
+            |scratch, chunk, lanes| {
+                for (number, &at) in lanes.iter_mut().zip(spectrum_at) {
+                    for lane in 0..LANES {
+                        number.set(lane, spectra[at + (LANES * chunk + lane).min(last)]);
+                    }
                 }
-            }
-            factors[chunk].forward(structure, lanes);
-        });
+                factors[chunk].forward(structure, lanes, scratch);
+            },
+        );
         if let Some(mut interface) = self.interface.take() {
             self.close_joints(&mut interface, x);
             self.interface = Some(interface);
         }
         let (structure, factors) = (&self.layout.structure, &self.factors);
-        let workspaces = &mut Vec::new();
         self.workers.for_each(
             &mut self.lanes,
-            workspaces,
-            Vec::new,
-            |workspace, chunk, lanes| {
-                factors[chunk].backward(structure, lanes, workspace);
+            scratches,
+            Scratch::default,
+            |scratch, chunk, lanes| {
+                factors[chunk].backward(structure, lanes, scratch);
             },
         );
         self.transform_back(x);

@@ -5,10 +5,19 @@ use nalgebra::{Complex, ComplexField};
 /// Matrices that are worked on together.
 pub(super) const LANES: usize = 8;
 
+/// A number that dense kernels know.
+pub(super) trait Number:
+    ComplexField<RealField = f64> + faer::traits::ComplexField + Copy + Default + Send + Sync
+{
+}
+
+impl Number for f64 {}
+impl Number for Complex<f64> {}
+
 /// One entry of each of [`LANES`] matrices.
 pub(super) trait Lanes: Copy + Send + Sync {
     /// The number itself.
-    type Number: ComplexField<RealField = f64> + Copy + Default;
+    type Number: Number;
 
     fn zero() -> Self;
     fn get(&self, lane: usize) -> Self::Number;

@@ -6,6 +6,11 @@ use crate::collocation::{Collocation, Tangent};
 use crate::system::System;
 use std::collections::BTreeSet;
 
+/// Unknowns of a block row from which on constraints stand with one node where they can.
+const LARGE_ROW: usize = 60;
+/// Condition of a gradient that determines its node.
+const DETERMINED: f64 = 1e4;
+
 /// What stands together in a block row.
 #[derive(Debug, Clone, Copy)]
 enum Member {
@@ -67,8 +72,9 @@ impl Region {
 
 impl Layout {
     /// Constraints stand together with all nodes that they constrain, as their own diagonal is
-    /// zero; all else stands alone. Constraints that `classes` keep exact are left out, rows with
-    /// nodes that they constrain are kept.
+    /// zero, or where these are many with one that they determine; all else stands alone.
+    /// Constraints that `classes` keep exact are left out, rows with nodes that they constrain are
+    /// kept.
     ///
     /// `kept_alone`: nodes that stand alone although they are constrained, as long as another node
     /// of the constraint does not.
@@ -196,46 +202,147 @@ fn size_of(system: &System, member: Member) -> usize {
     }
 }
 
+/// Nodes and own unknowns in rows, with constraints where the nodes are that they constrain.
 fn block_rows(system: &System, classes: &[Class], kept_alone: &[bool]) -> Vec<Vec<Member>> {
-    fn root(group: &[usize], mut node: usize) -> usize {
-        while group[node] != node {
-            node = group[node];
-        }
-        node
+    let joined = Joined::new(system, classes, kept_alone);
+    let together = joined.rows(&vec![None; classes.len()]);
+    let size = |row: &Vec<Member>| row.iter().map(|&m| size_of(system, m)).sum::<usize>();
+    if together.iter().all(|row| size(row) <= LARGE_ROW) {
+        return together;
     }
-    let constrains =
-        |class: &Class, has_states: bool| matches!(class, Class::Averaged(_)) && !has_states;
-    // Nodes that a constraint stands with.
-    let joined = |index: usize| {
-        let nodes = system.elements()[index].element.nodes();
-        let others: Vec<usize> = nodes.iter().copied().filter(|&n| !kept_alone[n]).collect();
-        if others.is_empty() {
-            nodes.to_vec()
-        } else {
-            others
-        }
-    };
-    let mut group: Vec<usize> = (0..system.nodes()).collect();
-    for (index, (class, placed)) in classes.iter().zip(system.elements()).enumerate() {
-        if constrains(class, placed.has_states) {
-            let nodes = joined(index);
-            for &node in &nodes {
-                let (a, b) = (root(&group, nodes[0]), root(&group, node));
-                group[a.max(b)] = a.min(b);
+    // Of the constraints in large rows: the node that each can stand with alone.
+    let mut bearers = vec![None; classes.len()];
+    for row in together.iter().filter(|row| size(row) > LARGE_ROW) {
+        for &member in row {
+            if let Member::Own(index) = member {
+                bearers[index] = joined.bearer(index);
             }
         }
     }
-    let mut rows: Vec<Vec<Member>> = vec![Vec::new(); system.nodes()];
-    for node in 0..system.nodes() {
-        rows[root(&group, node)].push(Member::Node(node));
-    }
-    for (index, (class, placed)) in classes.iter().zip(system.elements()).enumerate() {
-        if constrains(class, placed.has_states) {
-            rows[root(&group, joined(index)[0])].push(Member::Own(index));
-        } else if let Class::Averaged(_) = class {
-            rows.push(vec![Member::Own(index)]);
+    joined.rows(&bearers)
+}
+
+/// Constraints and the nodes that they stand with.
+struct Joined<'a> {
+    system: &'a System,
+    classes: &'a [Class],
+    /// Of each element: the nodes that it constrains, but for those that stand alone while others
+    /// do not; none if it does not constrain.
+    nodes: Vec<Vec<usize>>,
+    /// Constraints of each node.
+    held: Vec<usize>,
+}
+
+impl<'a> Joined<'a> {
+    fn new(system: &'a System, classes: &'a [Class], kept_alone: &[bool]) -> Self {
+        let all = classes.iter().zip(system.elements());
+        let nodes: Vec<Vec<usize>> = all
+            .map(|(class, placed)| {
+                if placed.has_states || !matches!(class, Class::Averaged(_)) {
+                    return Vec::new();
+                }
+                let nodes = placed.element.nodes();
+                let others: Vec<_> = nodes.iter().copied().filter(|&n| !kept_alone[n]).collect();
+                if others.is_empty() {
+                    nodes.to_vec()
+                } else {
+                    others
+                }
+            })
+            .collect();
+        let mut held = vec![0; system.nodes()];
+        nodes.iter().flatten().for_each(|&node| held[node] += 1);
+        Joined {
+            system,
+            classes,
+            nodes,
+            held,
         }
     }
-    rows.retain(|members| !members.is_empty());
-    rows
+
+    /// A node that nothing else holds and that this constraint determines: together they can be
+    /// eliminated whatever else there is, and the other nodes stand alone.
+    fn bearer(&self, index: usize) -> Option<usize> {
+        let Class::Averaged(average) = &self.classes[index] else {
+            return None;
+        };
+        let all = self.system.elements()[index].element.nodes();
+        let determines = |node: usize| {
+            let Some(local) = all.iter().position(|&n| n == node) else {
+                return false;
+            };
+            let gradient = average.gradient.view((0, 6 * local), (6, 6));
+            let inverse = gradient.into_owned().try_inverse();
+            inverse.is_some_and(|inverse| inverse.norm() * gradient.norm() < DETERMINED)
+        };
+        let nodes = self.nodes[index].iter().copied();
+        let mut free = nodes.filter(|&node| average.gradient.nrows() == 6 && self.held[node] == 1);
+        free.find(|&node| determines(node))
+    }
+
+    /// Rows, in which constraints with a bearer stand with it, and others with all their nodes.
+    fn rows(&self, bearers: &[Option<usize>]) -> Vec<Vec<Member>> {
+        let mut group: Vec<usize> = (0..self.system.nodes()).collect();
+        for (nodes, bearer) in self.nodes.iter().zip(bearers) {
+            if let (&[first, ..], None) = (&nodes[..], bearer) {
+                for &node in nodes {
+                    let (a, b) = (root(&group, first), root(&group, node));
+                    group[a.max(b)] = a.min(b);
+                }
+            }
+        }
+        let mut rows: Vec<Vec<Member>> = vec![Vec::new(); self.system.nodes()];
+        for node in 0..self.system.nodes() {
+            rows[root(&group, node)].push(Member::Node(node));
+        }
+        for (index, (nodes, bearer)) in self.nodes.iter().zip(bearers).enumerate() {
+            if let Some(node) = bearer.or(nodes.first().copied()) {
+                rows[root(&group, node)].push(Member::Own(index));
+            } else if let Class::Averaged(_) = self.classes[index] {
+                rows.push(vec![Member::Own(index)]);
+            }
+        }
+        rows.retain(|members| !members.is_empty());
+        rows
+    }
+}
+
+/// What a node's group is known by.
+fn root(group: &[usize], mut node: usize) -> usize {
+    while group[node] != node {
+        node = group[node];
+    }
+    node
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::constraints::{Joints, classify};
+    use super::*;
+    use crate::collocation::GridState;
+    use crate::fourier::TimeGrid;
+    use crate::test_models::shells::flapping_plate;
+    use std::sync::Arc;
+
+    /// Of a plate with 25 nodes welded to a shaft.
+    #[test]
+    fn nodes_of_a_clamped_edge_stand_alone() {
+        let (model, period) = flapping_plate(0.3, [2, 8], 4);
+        let system = Arc::new(System::new(&model, period).unwrap());
+        let grid = TimeGrid::new(5, period).unwrap();
+        let state = GridState::reference(&system, grid);
+        let mut equations = Collocation::new(system, grid).unwrap();
+        let mut tangent = Tangent::with_resultants_apart(equations.system(), 5);
+        tangent.evaluate(&mut equations, &state).unwrap();
+        let classes = classify(&equations, &tangent, Joints::Exact);
+        let nodes = equations.system().nodes();
+        let layout = Layout::new(&equations, &tangent, &classes, &vec![false; nodes]);
+        // A node and its weld, or the shaft and its joint with its drive.
+        assert_eq!(layout.largest_block(), 12);
+        let of_welds = layout.own_at.iter().filter(|at| at.1 == 6).count();
+        assert!(of_welds >= 25, "{of_welds}");
+        for (node, &(row, first)) in layout.node_at.iter().enumerate() {
+            assert_eq!(first, 0, "{node} stands with others in {row}");
+        }
+    }
 }

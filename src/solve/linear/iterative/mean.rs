@@ -256,7 +256,8 @@ impl Averages<'_> {
         // Harmonics that are aliased, of any node.
         let highest = self.aliasing.iter().map(Vec::len).max().unwrap_or(0);
         self.workers.each(&mut all, |chunk, place| {
-            let mut lanes = BlockLanes::<ComplexLanes>::new(&self.layout.structure);
+            let used = harmonics.len() - LANES * chunk;
+            let mut lanes = BlockLanes::<ComplexLanes>::new(&self.layout.structure, used);
             let harmonic =
                 |lane: usize| (harmonics.start + LANES * chunk + lane).min(harmonics.end - 1);
             let rates = std::array::from_fn(|lane| harmonic(lane) as f64 * frequency);

@@ -10,16 +10,19 @@
 //!   in `interface` the system of the joints that turn.
 //! * `time_local`: equilibrium at each grid point by itself.
 //! * Both factor small sparse matrices with blocks where `layout` says, by `block_lu`, several side
-//!   by side in `lanes`.
+//!   by side in `lanes`, or by `fronts` where they fill as those of meshes do.
 //! * `spread`: these over ranks, each with some of the nodes; `spread_harmonics`, `spread_time`.
 //! * `trial`: what one solve takes, measured.
 
 mod banded;
 mod block_lu;
+#[cfg(test)]
+mod block_lu_test;
 mod body_circulant;
 mod constraints;
 mod dense;
 mod factors;
+mod fronts;
 mod gmres;
 mod harmonic_band;
 mod interface;

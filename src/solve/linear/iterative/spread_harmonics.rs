@@ -2,7 +2,7 @@
 //! factors the averaged matrices of the whole system for its own. The system of the joints that
 //! turn, which is small, is solved by all ranks alike.
 
-use super::block_lu::BlockLanes;
+use super::block_lu::{BlockLanes, Scratch};
 use super::body_circulant::{LARGEST_BLOCK, NEIGHBOURS, Transform, scaled_aliasing_of};
 use super::constraints::{Class, Joints, RowRotation, classify, keep_neighbours, turning_nodes};
 use super::lanes::{ComplexLanes, LANES, Lanes};
@@ -32,7 +32,7 @@ pub(crate) struct SpreadHarmonics {
     harmonics: Range<usize>,
     factors: Vec<BlockLanes<ComplexLanes>>,
     lanes: Vec<Vec<ComplexLanes>>,
-    workspaces: Vec<Vec<ComplexLanes>>,
+    workspaces: Vec<Scratch<ComplexLanes>>,
     transposition: Transposition,
     /// Places of this rank's series in its part, at the first grid point and from one to the next.
     own: Vec<(usize, usize)>,
@@ -232,9 +232,8 @@ impl SpreadHarmonics {
 
     /// Bytes that the factors take.
     pub fn bytes(&self) -> usize {
-        let entries = self.layout.structure.entries() * self.factors.len();
-        size_of::<ComplexLanes>() * entries
-            + self.joints.as_ref().map_or(0, |j| j.interface.bytes())
+        let harmonics: usize = self.factors.iter().map(BlockLanes::bytes).sum();
+        harmonics + self.joints.as_ref().map_or(0, |j| j.interface.bytes())
     }
 
     /// `x = P⁻¹ x`, with stress resultants behind it, whose halo is filled. By all ranks.
@@ -253,9 +252,12 @@ impl SpreadHarmonics {
         }
         self.analyse(x)?;
         let (structure, factors) = (&self.layout.structure, &self.factors);
-        self.workers.each(&mut self.lanes, |chunk, lanes| {
-            factors[chunk].forward(structure, lanes);
-        });
+        self.workers.for_each(
+            &mut self.lanes,
+            &mut self.workspaces,
+            Scratch::default,
+            |scratch, chunk, lanes| factors[chunk].forward(structure, lanes, scratch),
+        );
         if let Some(joints) = &mut self.joints {
             let (lanes, transform) = (&mut self.lanes, &mut self.transform);
             joints.solve(&*self.ranks, &self.harmonics, lanes, transform, x)?;
@@ -264,8 +266,8 @@ impl SpreadHarmonics {
         self.workers.for_each(
             &mut self.lanes,
             &mut self.workspaces,
-            Vec::new,
-            |workspace, chunk, lanes| factors[chunk].backward(structure, lanes, workspace),
+            Scratch::default,
+            |scratch, chunk, lanes| factors[chunk].backward(structure, lanes, scratch),
         );
         self.synthesise(x)?;
         if apart {

@@ -1,7 +1,7 @@
 //! A preconditioner for slow mechanisms, and for heavily constrained ones: equilibrium at each grid
 //! point by itself, without inertia. See docs/theory.md, section 8.6.
 
-use super::block_lu::BlockLanes;
+use super::block_lu::{BlockLanes, Scratch};
 use super::constraints::{Class, classify_at};
 use super::lanes::{LANES, Lanes, RealLanes};
 use super::layout::{Layout, Region};
@@ -15,7 +15,7 @@ pub(super) struct TimeLocal {
     workers: Workers,
     factors: Vec<BlockLanes<RealLanes>>,
     lanes: Vec<Vec<RealLanes>>,
-    workspaces: Vec<Vec<RealLanes>>,
+    workspaces: Vec<Scratch<RealLanes>>,
 }
 
 impl TimeLocal {
@@ -32,7 +32,8 @@ impl TimeLocal {
         let workers = equations.workers().clone();
         let mut factors: Vec<Option<BlockLanes<RealLanes>>> = vec![None; points.div_ceil(LANES)];
         workers.each(&mut factors, |chunk, place| {
-            let mut lanes = BlockLanes::<RealLanes>::new(&layout.structure);
+            let used = points - LANES * chunk;
+            let mut lanes = BlockLanes::<RealLanes>::new(&layout.structure, used);
             for lane in 0..LANES {
                 let k = (LANES * chunk + lane).min(points - 1);
                 fill(&mut lanes, lane, &layout, equations, tangent, k);
@@ -54,7 +55,7 @@ impl TimeLocal {
 
     /// Bytes that the factors take.
     pub fn bytes(&self) -> usize {
-        size_of::<RealLanes>() * self.layout.structure.entries() * self.factors.len()
+        self.factors.iter().map(BlockLanes::bytes).sum()
     }
 
     /// `x = P⁻¹ x`.
@@ -64,7 +65,7 @@ impl TimeLocal {
         self.workers.for_each(
             &mut self.lanes,
             &mut self.workspaces,
-            Vec::new,
+            Scratch::default,
             |workspace, chunk, lanes| {
                 for (number, &(first, stride)) in lanes.iter_mut().zip(&layout.places) {
                     for lane in 0..LANES {
@@ -74,7 +75,7 @@ impl TimeLocal {
                         );
                     }
                 }
-                factors[chunk].forward(&layout.structure, lanes);
+                factors[chunk].forward(&layout.structure, lanes, workspace);
                 factors[chunk].backward(&layout.structure, lanes, workspace);
             },
         );
