@@ -9,9 +9,10 @@ use periodyn::elements::{Coordinate, JointKind};
 use periodyn::model::{JointCoordinate, Model, SignalPart, SignalPlace, Target};
 use periodyn::solve::{
     Adaptation, Branch, BranchEnd, BranchOptions, BranchPoint, Event, Free, GridPoints,
-    StabilityOptions, follow_branch, follow_locus,
+    LinearMethod, Phase, StabilityOptions, follow_branch, follow_locus,
 };
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 fn follow(model: &Model, period: f64, free: Free, options: &BranchOptions) -> Branch {
     follow_branch(model, period, free, options, &mut |_, _| true).unwrap()
@@ -379,4 +380,75 @@ fn the_grid_gets_finer_along_a_locus() {
         "11 are enough"
     );
     assert!(found.grid.points() > 11);
+}
+
+#[test]
+fn folds_of_limit_cycles_are_located_and_followed() {
+    // m (x'' + c x' + x) = (r² − r⁴) x' with r² = x² + x'²: circles with m c = r² − r⁴, of which
+    // those with r² = 1/2 are folds.
+    let (model, damping, mass) = circles();
+    let start = starting_at(options(9), (&model, 9, TAU), |t| displaced(0.94 * t.cos()));
+    for linear in [LinearMethod::Direct, LinearMethod::Iterative(None)] {
+        let mut with = BranchOptions {
+            periodic: start.clone(),
+            free: vec![Free::Frequency],
+            conditions: vec![Arc::new(Phase)],
+            range: [-0.2, 1.0],
+            events: true,
+            point_limit: 40,
+            ..BranchOptions::default()
+        };
+        with.periodic.linear = linear;
+        let branch = follow(&model, TAU, Free::Parameter(damping), &with);
+        let at = first(&branch, Event::Fold);
+        let fold = &branch.points[at];
+        println!("off by {:e}", fold.values[0] - 0.25);
+        assert!((fold.values[0] - 0.25).abs() < 1e-12);
+        assert_quadratic(fold, 2);
+
+        let range = BranchOptions {
+            range: [0.5, 3.0],
+            ..with.clone()
+        };
+        let locus = locus(&branch, at, mass, &range);
+        assert_eq!(locus.end, BranchEnd::Range, "{}", locus.explanation);
+        assert!(locus.points.len() > 3);
+        for point in &locus.points {
+            let [mass, frequency, damping] = point.values[..] else {
+                panic!("{:?}", point.values);
+            };
+            let off = [damping - 0.25 / mass, frequency - 1.0];
+            assert!(off.iter().all(|off| off.abs() < 1e-11), "{mass}: {off:?}");
+        }
+        assert_quadratic(locus.points.last().unwrap(), 1);
+    }
+}
+
+#[test]
+fn what_floats_doubles_no_period() {
+    // x'' + 0.1 x' + k x + x³ = 0 at rest: where k = 0 a multiplier is 1, and none is ever −1,
+    // though the grid has a half-harmonic without a derivative.
+    for points in [15, 31] {
+        let (mut model, at) = mass_on_a_slide(1.0, &Vector3::x());
+        let spring = model.add_polynomial_spring_damper(at, &[0.5, 0.0, 1.0], &[0.1], 0.0);
+        let stiffness = model.add_parameter("stiffness", 0.5, 1.0).unwrap();
+        let target = Target::Stiffness(spring.unwrap(), 1);
+        model.move_by_parameter(stiffness, target, 1.0).unwrap();
+        let with = BranchOptions {
+            periodic: options(points),
+            range: [-0.2, 0.5],
+            downwards: true,
+            events: true,
+            ..BranchOptions::default()
+        };
+        let branch = follow(&model, TAU, Free::Parameter(stiffness), &with);
+        assert_eq!(branch.end, BranchEnd::Range, "{}", branch.explanation);
+        let events = branch.points.iter().filter_map(|p| Some((p.event?, p)));
+        let events: Vec<_> = events.map(|(event, p)| (event, p.values[0])).collect();
+        println!("{points}: {events:?}");
+        let [(event, value)] = events[..] else {
+            panic!("{events:?}");
+        };
+        assert!(event == Event::BranchPoint && value.abs() < 1e-10);
+    }
 }

@@ -147,15 +147,19 @@ fn by(method: SensitivityMethod, linear: LinearMethod) -> SensitivityOptions {
 }
 
 /// Checks sensitivities against differences by steps of this part of the scales, direct against
-/// adjoint, and one linear solver against the other.
+/// adjoint, and both by factors against both by iteration.
 fn check(solution: &Solution, asked: &Asked, step: f64) {
     let (model, period) = (solution.model(), solution.grid().period());
     let options = |method, linear| by(method, linear);
     use SensitivityMethod::{Adjoint, Direct};
     let direct = sensitivities(solution, asked, &options(Direct, LinearMethod::Direct)).unwrap();
     let adjoint = sensitivities(solution, asked, &options(Adjoint, LinearMethod::Direct)).unwrap();
-    let iterative = options(Direct, LinearMethod::Iterative(None));
-    let iterative = sensitivities(solution, asked, &iterative).unwrap();
+    let [iterative, transposed] = [Direct, Adjoint].map(|method| {
+        let options = options(method, LinearMethod::Iterative(None));
+        let found = sensitivities(solution, asked, &options).unwrap();
+        assert_eq!(found.method, method);
+        found
+    });
     let scales: Vec<f64> = asked
         .parameters
         .iter()
@@ -164,7 +168,7 @@ fn check(solution: &Solution, asked: &Asked, step: f64) {
             Free::Parameter(id) => model.parameters()[id].scale,
         })
         .collect();
-    let mut worst = [0.0f64; 3];
+    let mut worst = [0.0f64; 4];
     let mut faults = Vec::new();
     let differences: Vec<Vec<f64>> = asked
         .parameters
@@ -194,12 +198,13 @@ fn check(solution: &Solution, asked: &Asked, step: f64) {
                 found - differences[j][i],
                 found - adjoint.derivatives[(i, j)],
                 found - iterative.derivatives[(i, j)],
+                found - transposed.derivatives[(i, j)],
             ]
             .map(|error| error.abs() * scale / size);
             for (worst, error) in worst.iter_mut().zip(errors) {
                 *worst = worst.max(error);
             }
-            if !(errors[0] < 1e-8 && errors[1] < 1e-11 && errors[2] < 1e-9) {
+            if !(errors[0] < 1e-8 && errors[1] < 1e-11 && errors[2].max(errors[3]) < 1e-9) {
                 let (parameter, other) = (asked.parameters[j], differences[j][i]);
                 let values = format!("{found:e}, differences {other:e}");
                 faults.push(format!(
@@ -208,7 +213,7 @@ fn check(solution: &Solution, asked: &Asked, step: f64) {
             }
         }
     }
-    println!("differences, adjoint, iteration: {worst:?}");
+    println!("differences, adjoint, both by iteration: {worst:?}");
     assert!(faults.is_empty(), "{}", faults.join("\n"));
     assert_eq!((direct.method, adjoint.method), (Direct, Adjoint));
 }

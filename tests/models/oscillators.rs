@@ -77,3 +77,34 @@ pub fn pendulum_under_torque() -> (Model, usize) {
     model.move_by_parameter(torque, target, 1.0).unwrap();
     (model, torque)
 }
+
+/// `m (x'' + c x' + x) = (r² − r⁴) x'` with `r² = x² + x'²`, from `m = 1` and `c = 0.1` on, and the
+/// parameters that are `c` and `m`: its limit cycles are `x = r cos t` with `m c = r² − r⁴`.
+pub fn circles() -> (Model, usize, usize) {
+    let (mut model, at) = mass_on_a_slide(1.0, &Vector3::x());
+    let spring = model.add_polynomial_spring_damper(at, &[1.0], &[], 0.0);
+    let law = CoordinateLaw {
+        function: Arc::new(|state| {
+            let (x, v) = (state.value, state.rate);
+            let square = x * x + v * v;
+            let (growth, slope) = (square - square * square, 1.0 - 2.0 * square);
+            Ok(Effort {
+                value: -growth * v,
+                by_coordinate: -slope * 2.0 * x * v,
+                by_rate: -growth - slope * 2.0 * v * v,
+            })
+        }),
+        gives_derivatives: true,
+    };
+    let force = model.add_coordinate_law(at, law).unwrap();
+    model.declare_of_phase(force).unwrap();
+    let damping = model.add_parameter("damping", 0.1, 0.1).unwrap();
+    model
+        .move_by_parameter(damping, Target::MassDamping, 1.0)
+        .unwrap();
+    let mass = model.add_parameter("mass", 1.0, 1.0).unwrap();
+    for target in [Target::Inertia(0), Target::Stiffness(spring.unwrap(), 1)] {
+        model.move_by_parameter(mass, target, 1.0).unwrap();
+    }
+    (model, damping, mass)
+}

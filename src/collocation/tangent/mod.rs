@@ -254,6 +254,11 @@ impl Tangent {
         Vector6::new(force, force, force, moment, moment, moment)
     }
 
+    /// Size of the resultants' unknowns.
+    pub fn resultant_scale(&self) -> f64 {
+        self.resultant_scale
+    }
+
     /// Sets the size of the resultants' unknowns.
     pub fn set_resultant_scale(&mut self, scale: f64) {
         self.resultant_scale = scale;

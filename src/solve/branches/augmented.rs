@@ -1,6 +1,6 @@
 //! Newton's method for points where an event happens (docs/theory.md, section 13.7).
 
-use super::singular::Singular;
+use super::event_equation::EventEquation;
 use super::walk::{Place, Walk};
 use crate::collocation::GridState;
 use crate::error::Result;
@@ -44,7 +44,7 @@ impl Walk<'_> {
     pub fn locate_from(
         &mut self,
         mut state: GridState,
-        singular: &mut Singular,
+        own: &mut EventEquation,
         mut along: Vec<Vec<f64>>,
         last: Option<Arc<dyn Condition>>,
     ) -> Result<Option<Located>> {
@@ -54,17 +54,24 @@ impl Walk<'_> {
                 return Ok(None);
             };
             along = linear.tangents;
-            let Some(value) = singular.value(&state)? else {
+            let Some(value) = own.value(self, &state, &along)? else {
                 return Ok(None);
             };
             let size = self.length(&linear.correction);
-            let to_solution = singular.along(&state, &linear.correction, size)?;
+            let to_solution = own.along(self, &state, (&linear.correction, size))?;
+            let Some(to_solution) = to_solution else {
+                return Ok(None);
+            };
             let rest = self.rest_of(last.as_deref(), &state, &linear.correction, &along)?;
             let mut by = Vec::with_capacity(along.len());
             for tangent in &along {
-                by.push(singular.along(&state, tangent, 1.0)?);
+                let Some(change) = own.along(self, &state, (tangent, 1.0))? else {
+                    return Ok(None);
+                };
+                by.push(change);
             }
-            let Some((shares, turn)) = solved(singular, value + to_solution, &by, rest) else {
+            let found = solved(own.by_frequency(), value + to_solution, &by, rest);
+            let Some((shares, turn)) = found else {
                 return Ok(None);
             };
             let mut increment = linear.correction;
@@ -79,7 +86,7 @@ impl Walk<'_> {
             }
             let system = self.newton.equations.system().clone();
             state = state.incremented(&system, &increment, 1.0);
-            singular.frequency += turn;
+            own.set_frequency(own.frequency() + turn);
             let before = increments.last().copied().unwrap_or(f64::INFINITY);
             increments.push(size);
             if size <= NONE || before < SHORT && size > STANDS * before {
@@ -184,25 +191,27 @@ impl Walk<'_> {
     pub fn locus_tangent(
         &mut self,
         located: &Located,
-        singular: &mut Singular,
+        own: &mut EventEquation,
         before: Option<&[f64]>,
     ) -> Result<Option<Place>> {
         let state = &located.state;
-        if singular.value(state)?.is_none() {
+        if own.value(self, state, &located.tangents)?.is_none() {
             return Ok(None);
         }
         let mut by = Vec::new();
         for tangent in &located.tangents {
-            by.push(singular.along(state, tangent, 1.0)?);
+            let Some(change) = own.along(self, state, (tangent, 1.0))? else {
+                return Ok(None);
+            };
+            by.push(change);
         }
         let &[first, second] = &by[..] else {
             return Ok(None);
         };
         // Of two unknowns, or three with a complex equation, those that leave σ as it is.
-        let shares = match singular.is_complex() {
-            false => [-second.re, first.re],
-            true => {
-                let turn = singular.by_frequency();
+        let shares = match own.by_frequency() {
+            None => [-second.re, first.re],
+            Some(turn) => {
                 let across = |x: C64, y: C64| x.re * y.im - x.im * y.re;
                 [across(second, turn), across(turn, first)]
             }
@@ -224,14 +233,13 @@ impl Walk<'_> {
 
 /// Shares of the tangents, and the change of the frequency, that make all zero to the first order.
 fn solved(
-    singular: &Singular,
+    by_frequency: Option<C64>,
     value: C64,
     by: &[C64],
     rest: Option<(f64, Vec<f64>)>,
 ) -> Option<(Vec<f64>, f64)> {
     let mut rows = vec![(value.re, by.iter().map(|x| x.re).collect::<Vec<_>>())];
-    if singular.is_complex() {
-        let turn = singular.by_frequency();
+    if let Some(turn) = by_frequency {
         rows[0].1.push(turn.re);
         let imaginary = by.iter().map(|x| x.im).chain([turn.im]);
         rows.push((value.im, imaginary.collect()));
@@ -248,9 +256,9 @@ fn solved(
     let right = DVector::from_fn(count, |i, _| -rows[i].0);
     let found = matrix.lu().solve(&right)?;
     let mut shares: Vec<f64> = found.iter().copied().collect();
-    let turn = match singular.is_complex() {
-        true => shares.pop()?,
-        false => 0.0,
+    let turn = match by_frequency {
+        Some(_) => shares.pop()?,
+        None => 0.0,
     };
     shares
         .iter()

@@ -1,8 +1,8 @@
 //! What lies between two points of a branch, located along the arc (docs/theory.md, section 13.5).
 
 use super::augmented::Located;
+use super::event_equation::EventEquation;
 use super::multipliers::Multipliers;
-use super::singular::Singular;
 use super::step::Shown;
 use super::walk::{Place, Stepped, Walk, found_or_none};
 use super::{Event, PointStability};
@@ -253,22 +253,20 @@ impl Walk<'_> {
         (from, length): (&Place, f64),
         (near, frequency): (&Place, f64),
     ) -> Result<Option<Found>> {
-        // Under conditions J itself is singular everywhere.
         let is_own = match event {
-            Event::Fold => self.options.events && self.options.conditions.is_empty(),
+            Event::Fold => self.options.events,
             Event::PeriodDoubling | Event::Torus => true,
             Event::BranchPoint => false,
         };
         if !is_own {
             return Ok(None);
         }
-        let equations = &self.newton.equations;
-        let singular = Singular::new(event, frequency, equations, &near.state)?;
-        let Some(mut singular) = singular else {
+        let own = EventEquation::new(event, frequency, self, &near.state)?;
+        let Some(mut own) = own else {
             return Ok(None);
         };
         let along = vec![near.tangent.clone()];
-        let located = self.locate_from(near.state.clone(), &mut singular, along, None)?;
+        let located = self.locate_from(near.state.clone(), &mut own, along, None)?;
         let Some(Located {
             state,
             mut tangents,
@@ -301,7 +299,7 @@ impl Walk<'_> {
             },
             at,
             increments,
-            second_frequency: singular.is_complex().then_some(singular.frequency),
+            second_frequency: own.by_frequency().map(|_| own.frequency()),
         }))
     }
 }

@@ -1,14 +1,15 @@
 //! Points where an event happens, along a second parameter (docs/theory.md, section 13.8).
 
 use super::augmented::Located;
+use super::event_equation::EventEquation;
 use super::follow::Follow;
-use super::singular::Singular;
 use super::step::Shown;
 use super::walk::{Place, Walk, found_or_none};
 use super::{Branch, BranchEnd, BranchOptions, BranchPoint, Event};
 use crate::collocation::GridState;
 use crate::error::{Error, ErrorKind, Result};
 use crate::solve::conditions::{Condition, Conditioned, Free, Given};
+use crate::solve::linear::dense::probe;
 use crate::solve::watch::Stage;
 use crate::workers::Workers;
 use std::sync::Arc;
@@ -22,8 +23,7 @@ use std::sync::Arc;
 /// then those that are free beside it, that of the branch last.
 ///
 /// # Errors
-/// [`ErrorKind::NotAvailable`] if there is no such event, or if it is a branch point, or a fold
-/// under conditions; else as [`follow_branch`](super::follow_branch).
+/// [`ErrorKind::NotAvailable`] if there is no such event, or if it is a branch point; else as [`follow_branch`](super::follow_branch).
 pub fn follow_locus(
     branch: &Branch,
     index: usize,
@@ -34,7 +34,7 @@ pub fn follow_locus(
     options.validate()?;
     let (model, solved) = branch.solved(index)?;
     let point = &branch.points[index];
-    let event = event_at(point, index, options)?;
+    let event = event_at(point, index)?;
     let mut free = branch.conditioned.free().to_vec();
     free.push(second);
     options.require_conditions(free.len() - 2)?;
@@ -52,24 +52,41 @@ pub fn follow_locus(
     let walk = Walk::new(&model, grid, &free, (options, workers, watching))?;
     let mut follow = Follow::new(walk, locus, observe);
     let frequency = point.second_frequency.unwrap_or(0.0);
-    let went = follow.along_locus(state, event, frequency);
+    let beside = beside(branch, index, &follow.walk);
+    let went = follow.along_locus(state, (event, frequency), beside);
     follow.end(went)
 }
 
 /// The event at a point of a branch that can be followed.
-fn event_at(point: &BranchPoint, index: usize, options: &BranchOptions) -> Result<Event> {
+fn event_at(point: &BranchPoint, index: usize) -> Result<Event> {
     let none = |why: &str| {
         let message = format!("point: {why} point {index}");
         Err(Error::new(ErrorKind::NotAvailable, message))
     };
     match point.event {
-        Some(Event::Fold) if !options.conditions.is_empty() => {
-            none("folds under conditions cannot be followed, as that at")
-        }
         Some(event @ (Event::Fold | Event::PeriodDoubling | Event::Torus)) => Ok(event),
         Some(Event::BranchPoint) => none("branch points cannot be followed, as that at"),
         None => none("nothing happens at"),
     }
+}
+
+/// The direction of a branch at a point, about: from one neighbour to another on the same grid. None
+/// if there are no such.
+fn beside(branch: &Branch, index: usize, walk: &Walk) -> Option<Vec<f64>> {
+    let grid = branch.points[index].grid.points();
+    let [first, last] = [index.saturating_sub(1), index + 1].map(|i| branch.points.get(i));
+    let [first, last] = [first?, last?];
+    if [first, last].iter().any(|p| p.grid.points() != grid) {
+        return None;
+    }
+    let [from, to] = [first, last].map(|point| {
+        let mut state = point.state.clone();
+        // The second parameter is the same at both.
+        state.scalars = point.values[1..].to_vec();
+        state.scalars.extend([point.values[0], 0.0]);
+        state
+    });
+    Some(walk.away(&from, &to))
 }
 
 /// A point of a locus.
@@ -87,20 +104,27 @@ struct Step {
 }
 
 impl Follow<'_, '_> {
-    fn along_locus(&mut self, state: GridState, event: Event, frequency: f64) -> Result<()> {
-        let equations = &self.walk.newton.equations;
-        let singular = Singular::new(event, frequency, equations, &state)?;
-        let Some(mut singular) = singular else {
+    fn along_locus(
+        &mut self,
+        state: GridState,
+        (event, frequency): (Event, f64),
+        beside: Option<Vec<f64>>,
+    ) -> Result<()> {
+        let own = EventEquation::new(event, frequency, &self.walk, &state)?;
+        let Some(mut own) = own else {
             self.ends(
                 BranchEnd::NoStart,
                 "the equations could not be factored there",
             );
             return Ok(());
         };
-        let (basis, free) = (self.first_directions(&singular), self.walk.scales.len() - 1);
+        let (basis, free) = (
+            self.first_directions(&own, beside),
+            self.walk.scales.len() - 1,
+        );
         let value = self.walk.parameter(&state);
         let given: Arc<dyn Condition> = Arc::new(Given { free, value });
-        let first = self.located(&state, &mut singular, (&basis, given), None)?;
+        let first = self.located(&state, &mut own, (&basis, given), None)?;
         let Some(mut here) = first else {
             self.ends(
                 BranchEnd::NoStart,
@@ -121,18 +145,18 @@ impl Follow<'_, '_> {
         }
         let mut step = self.walk.options.first_step;
         loop {
-            if !singular.renew()? {
+            if !own.renew()? {
                 self.ends(
                     BranchEnd::SmallestStep,
                     "the equations could not be factored",
                 );
                 return Ok(());
             }
-            let Some(taken) = self.step_on_locus(&here, &mut singular, step)? else {
+            let Some(taken) = self.step_on_locus(&here, &mut own, step)? else {
                 return Ok(());
             };
             if let Some(bound) = self.bound_beyond(&taken.to.place) {
-                let Some(last) = self.at_bound(&here, &taken, bound, &mut singular)? else {
+                let Some(last) = self.at_bound(&here, &taken, bound, &mut own)? else {
                     // Nearer to the end it is found.
                     step = 0.5 * taken.length;
                     self.branch.rejected += 1;
@@ -154,12 +178,12 @@ impl Follow<'_, '_> {
                 return Ok(());
             }
             step = taken.shown.next(taken.length, self.walk.options);
-            here = self.on_fine_enough_grid(taken.to, &mut singular)?;
+            here = self.on_fine_enough_grid(taken.to, &mut own)?;
         }
     }
 
     /// Goes on with more grid points where the estimated error asks for it.
-    fn on_fine_enough_grid(&mut self, here: OnLocus, singular: &mut Singular) -> Result<OnLocus> {
+    fn on_fine_enough_grid(&mut self, here: OnLocus, own: &mut EventEquation) -> Result<OnLocus> {
         let Some(points) = self.walk.finer(&here.place) else {
             return Ok(here);
         };
@@ -170,13 +194,13 @@ impl Follow<'_, '_> {
         let tangents = here.located.tangents.iter();
         let basis = tangents.map(|tangent| self.walk.resampled(tangent, grid, points));
         let basis: Vec<Vec<f64>> = basis.collect();
-        let (state, equations) = (&place.state, &self.walk.newton.equations);
-        let found = Singular::new(singular.event, here.frequency, equations, state)?;
+        let state = &place.state;
+        let found = EventEquation::new(own.event(), here.frequency, &self.walk, state)?;
         if let Some(mut finer) = found {
             let still: Arc<dyn Condition> = Arc::new(self.walk.arc(state, &place.tangent, 0.0));
             let basis = (&basis[..], still);
             if let Some(there) = self.located(state, &mut finer, basis, Some(&place.tangent))? {
-                *singular = finer;
+                *own = finer;
                 return Ok(there);
             }
         }
@@ -186,7 +210,7 @@ impl Follow<'_, '_> {
 
     /// Directions that solutions without the event's equation have: in which nothing resists, or
     /// along the parameter of the branch; and along the second parameter.
-    fn first_directions(&self, singular: &Singular) -> Vec<Vec<f64>> {
+    fn first_directions(&self, own: &EventEquation, beside: Option<Vec<f64>>) -> Vec<Vec<f64>> {
         let layout = self.walk.newton.equations.layout();
         let scales = &self.walk.scales;
         let along = |parameter: usize| {
@@ -195,8 +219,16 @@ impl Follow<'_, '_> {
             unit
         };
         let mut first = along(scales.len() - 2);
-        if singular.event == Event::Fold {
-            first = singular.direction();
+        if own.event() == Event::Fold {
+            // Any direction of motions has a part along the branch but by chance.
+            first = own.direction().or(beside).unwrap_or_else(|| {
+                let mut any = probe(layout.motions().end);
+                let scaled = any
+                    .iter_mut()
+                    .zip(self.walk.newton.equations.column_scale());
+                scaled.for_each(|(x, scale)| *x *= scale);
+                any
+            });
             first.resize(layout.size(), 0.0);
             let size = self.walk.length(&first);
             first.iter_mut().for_each(|x| *x /= size);
@@ -208,23 +240,23 @@ impl Follow<'_, '_> {
     fn located(
         &mut self,
         state: &GridState,
-        singular: &mut Singular,
+        own: &mut EventEquation,
         (basis, last): (&[Vec<f64>], Arc<dyn Condition>),
         before: Option<&[f64]>,
     ) -> Result<Option<OnLocus>> {
-        let frequency = singular.frequency;
+        let frequency = own.frequency();
         let walk = &mut self.walk;
-        let found = walk.locate_from(state.clone(), singular, basis.to_vec(), Some(last));
+        let found = walk.locate_from(state.clone(), own, basis.to_vec(), Some(last));
         let Some(located) = found_or_none(found)? else {
-            singular.frequency = frequency;
+            own.set_frequency(frequency);
             return Ok(None);
         };
         self.branch.iterations += located.increments.len();
-        let place = walk.locus_tangent(&located, singular, before)?;
+        let place = walk.locus_tangent(&located, own, before)?;
         Ok(place.map(|place| OnLocus {
             place,
             located,
-            frequency: singular.frequency,
+            frequency: own.frequency(),
         }))
     }
 
@@ -232,18 +264,18 @@ impl Follow<'_, '_> {
     fn step_on_locus(
         &mut self,
         here: &OnLocus,
-        singular: &mut Singular,
+        own: &mut EventEquation,
         first: f64,
     ) -> Result<Option<Step>> {
         let mut length = first;
         let system = self.walk.newton.equations.system().clone();
         while length >= self.walk.options.smallest_step {
-            singular.frequency = here.frequency;
+            own.set_frequency(here.frequency);
             let Place { state, tangent, .. } = &here.place;
             let predicted = state.incremented(&system, tangent, length);
             let arc: Arc<dyn Condition> = Arc::new(self.walk.arc(state, tangent, length));
             let basis = (&here.located.tangents[..], arc);
-            if let Some(to) = self.located(&predicted, singular, basis, Some(tangent))? {
+            if let Some(to) = self.located(&predicted, own, basis, Some(tangent))? {
                 let error = self.walk.away(&predicted, &to.place.state);
                 let shown = Shown {
                     angle: self.angle(&here.place, &to.place),
@@ -273,7 +305,7 @@ impl Follow<'_, '_> {
         here: &OnLocus,
         taken: &Step,
         bound: f64,
-        singular: &mut Singular,
+        own: &mut EventEquation,
     ) -> Result<Option<OnLocus>> {
         let [from, to] = [&here.place.state, &taken.to.place.state];
         let [before, after] = [from, to].map(|state| self.walk.parameter(state));
@@ -284,7 +316,7 @@ impl Follow<'_, '_> {
         let free = self.walk.scales.len() - 1;
         let given: Arc<dyn Condition> = Arc::new(Given { free, value: bound });
         let basis = (&taken.to.located.tangents[..], given);
-        self.located(&start, singular, basis, Some(&here.place.tangent))
+        self.located(&start, own, basis, Some(&here.place.tangent))
     }
 
     fn keep_on_locus(&mut self, here: &OnLocus, step: [f64; 2]) -> Result<bool> {

@@ -6,7 +6,8 @@
 //! * `follow.rs`: from the first point to the end;
 //! * `grid.rs`: with how many grid points it goes on;
 //! * `events.rs`, `determinants.rs`, `multipliers.rs`: what lies between two points, located;
-//! * `singular.rs`, `augmented.rs`: an event's own equation, and Newton's method with it;
+//! * `event_equation.rs`, `singular.rs`, `turning.rs`: an event's own equation; `augmented.rs`:
+//!   Newton's method with it;
 //! * `go_on.rs`: from where it had ended;
 //! * `switch.rs`: the other branch at such a point;
 //! * `locus.rs`: such points along a second parameter.
@@ -14,6 +15,7 @@
 mod augmented;
 mod course;
 mod determinants;
+mod event_equation;
 mod events;
 mod follow;
 mod go_on;
@@ -24,6 +26,7 @@ pub(in crate::solve) mod singular;
 mod step;
 mod switch;
 mod tangent;
+mod turning;
 mod walk;
 
 pub use follow::follow_branch;

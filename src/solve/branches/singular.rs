@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 /// Solves with the borders that make them follow the vectors that are nearly singular.
 const RENEWALS: usize = 3;
 /// Step of differences, of which 1 is a motion as large as the mechanism or the parameter's range.
-const STEP: f64 = 1e-5;
+pub(super) const STEP: f64 = 1e-5;
 /// Shift, over the frequency, where the equations are singular to rounding.
 const BESIDE: f64 = 1e-9;
 

@@ -218,6 +218,7 @@ impl LinearSolver for Assembled {
         &mut self,
         equations: &mut Collocation,
         rhs: &mut [f64],
+        _: f64,
         timings: &mut Timings,
     ) -> Result<bool> {
         if self.by_freedoms {

@@ -421,10 +421,21 @@ impl LinearSolver for Linear {
         &mut self,
         equations: &mut Collocation,
         rhs: &mut [f64],
+        accuracy: f64,
         timings: &mut Timings,
     ) -> Result<bool> {
+        let given = match (&self.active, self.falls_back) {
+            (Active::Iterative(_), true) => rhs.to_vec(),
+            _ => Vec::new(),
+        };
         let solver = self.active.solver_mut();
-        solver.solve_transposed(equations, rhs, timings)
+        let done = solver.solve_transposed(equations, rhs, accuracy, timings)?;
+        if done || given.is_empty() || !self.fall_back(equations, timings)? {
+            return Ok(done);
+        }
+        rhs.copy_from_slice(&given);
+        let solver = self.active.solver_mut();
+        solver.solve_transposed(equations, rhs, accuracy, timings)
     }
 
     fn release(&mut self) {

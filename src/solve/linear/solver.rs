@@ -43,8 +43,8 @@ pub(crate) trait LinearSolver {
         accuracy
     }
 
-    /// As [`LinearSolver::solve`], the transposed equations, as far as factors do. `false` also if
-    /// there is no way to.
+    /// As [`LinearSolver::solve`], the transposed equations; factors do as far as they can. `false`
+    /// also if there is no way to.
     ///
     /// # Errors
     /// If memory runs out.
@@ -52,6 +52,7 @@ pub(crate) trait LinearSolver {
         &mut self,
         _: &mut Collocation,
         _: &mut [f64],
+        _: f64,
         _: &mut Timings,
     ) -> Result<bool> {
         Ok(false)

@@ -20,7 +20,7 @@ use crate::solve::conditions::{Condition, Conditioned, Free, Given};
 use crate::solve::linear::bordered::{Bordered, GROUNDING, Side};
 use crate::solve::linear::dense::{dot, largest};
 use crate::solve::linear::method::{Linear, LinearMethod};
-use crate::solve::linear::solver::LinearSolver;
+use crate::solve::linear::solver::{ESTIMATE, LinearSolver};
 use crate::solve::newton::Newton;
 use crate::solve::result::Solved;
 use crate::workers::Workers;
@@ -48,12 +48,12 @@ const OPEN: f64 = 1e-6;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum SensitivityMethod {
     /// With as few linear solves as can be: the adjoint method where there are fewer dependents
-    /// than parameters and the equations have factors.
+    /// than parameters.
     #[default]
     Automatic,
     /// A linear solve for each parameter.
     Direct,
-    /// A transposed linear solve for each dependent, with factors of the whole Jacobian.
+    /// A transposed linear solve for each dependent.
     Adjoint,
 }
 
@@ -310,17 +310,16 @@ impl Solver {
         options: &SensitivityOptions,
         (dependents, parameters): (usize, usize),
     ) -> Result<Self> {
-        let mut linear = Linear::new(&equations, options.linear);
+        let linear = Linear::new(&equations, options.linear);
+        // By iteration one more solve tells whether motions follow at all.
+        let more = usize::from(!linear.is_direct());
         let method = match options.method {
-            SensitivityMethod::Automatic if linear.is_direct() && dependents < parameters => {
+            SensitivityMethod::Automatic if dependents + more < parameters => {
                 SensitivityMethod::Adjoint
             }
             SensitivityMethod::Automatic => SensitivityMethod::Direct,
             chosen => chosen,
         };
-        if method == SensitivityMethod::Adjoint && !linear.is_direct() {
-            linear = Linear::new(&equations, LinearMethod::Direct);
-        }
         // Where conditions alone make the equations regular, factors show it, and iteration fails.
         if !linear.is_direct() && !state.scalars.is_empty() {
             equations.ground(GROUNDING);
@@ -438,8 +437,16 @@ impl Solver {
             let pairs = sum.iter_mut().zip(&column.residual);
             pairs.for_each(|(sum, x)| *sum += factor * x);
         }
-        let follows = self.solve(sum, Side::Plain)?;
-        self.require_reach(&follows)
+        if !self.newton.linear.multiplies() {
+            let follows = self.solve(sum, Side::Plain)?;
+            return self.require_reach(&follows);
+        }
+        // By iteration no more accurately than it matters.
+        self.solves += 1;
+        match self.newton.solve_linear(&mut sum, ESTIMATE)? {
+            true => self.require_reach(&sum),
+            false => Err(singular("cannot be differentiated")),
+        }
     }
 
     fn require_reach(&self, follows: &[f64]) -> Result<()> {

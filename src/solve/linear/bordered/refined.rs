@@ -18,6 +18,9 @@ const ROUNDING: f64 = 1e-12;
 const ENOUGH: f64 = 1e-9;
 /// Own unknowns so small beside motions are rounding.
 const NOTHING: f64 = 1e-14;
+/// Accuracy of the corrections of a solution, relative to what makes it rounding, and the coarsest.
+const LEFT: f64 = 0.1;
+const COARSEST: f64 = 1e-2;
 /// Contraction of corrections above which an iteration takes fewer products.
 const SLOW: f64 = 1e-2;
 /// Accuracy of that iteration.
@@ -38,6 +41,8 @@ struct Operator<'a, L> {
     tangent: &'a mut Tangent,
     borders: &'a Borders,
     side: Side,
+    /// Of what solves similar equations.
+    accuracy: f64,
     timings: &'a mut Timings,
     /// What went wrong: no solution, or an error.
     end: Result<bool>,
@@ -50,14 +55,17 @@ impl<L: LinearSolver> Operator<'_, L> {
         match self.side {
             Side::Plain => {
                 let of_grid = &mut y[..size];
-                let solved = self.inner.solve(equations, of_grid, SHARPEST, timings)?;
+                let solved = self
+                    .inner
+                    .solve(equations, of_grid, self.accuracy, timings)?;
                 self.borders.substitute(y);
                 Ok(solved)
             }
             Side::Transposed => {
                 self.borders.reduce_transposed(y);
                 let of_grid = &mut y[..size];
-                self.inner.solve_transposed(equations, of_grid, timings)
+                let accuracy = self.accuracy;
+                (self.inner).solve_transposed(equations, of_grid, accuracy, timings)
             }
         }
     }
@@ -113,6 +121,7 @@ impl<L: LinearSolver> Bordered<L> {
             tangent: &mut self.tangent,
             borders: &self.borders,
             side,
+            accuracy: SHARPEST,
             timings,
             end: Ok(true),
         };
@@ -124,6 +133,14 @@ impl<L: LinearSolver> Bordered<L> {
         let (mut before, mut slow) = (f64::INFINITY, operator.equations.grounding() > 0.0);
         for _ in 0..REFINEMENTS {
             correction.copy_from_slice(&rest);
+            // What is left of a solution to this accuracy is to be found to what makes it rounding.
+            operator.accuracy = match slow || before.is_infinite() {
+                true => SHARPEST,
+                false => {
+                    let rest = operator.accuracy * before;
+                    (LEFT * ROUNDING / rest).clamp(SHARPEST, COARSEST)
+                }
+            };
             if slow {
                 let options = GmresOptions {
                     tolerance: ITERATED,
@@ -153,7 +170,12 @@ impl<L: LinearSolver> Bordered<L> {
                 return Ok(false);
             }
             let stands_still = before <= ENOUGH && changed > 0.5 * before;
-            if changed <= ROUNDING || stands_still {
+            // What the next correction would be, as far as the last one has contracted.
+            let next = match slow {
+                true => changed,
+                false => changed * (changed / before).max(operator.accuracy),
+            };
+            if changed.min(next) <= ROUNDING || stands_still {
                 return Ok(true);
             }
             slow |= before.is_finite() && changed > SLOW * before;

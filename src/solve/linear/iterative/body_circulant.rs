@@ -85,13 +85,15 @@ pub(super) struct BodyCirculant {
     /// Of each node, scaled: what the grid adds to changes of velocity of the highest harmonic, the
     /// one below, and so on.
     aliasing: Vec<Vec<Aliasing>>,
+    /// Whether it is that of the transposed equations.
+    transposed: bool,
     /// Time that the system of the joints took.
     pub interface_time: Duration,
 }
 
 impl BodyCirculant {
-    /// Averages and factors the Jacobian `tangent`. None if that cannot be done: a body by itself
-    /// is singular, or the system of the joints would take more than it may.
+    /// Averages and factors the Jacobian `tangent`, or its transpose. None if that cannot be done: a
+    /// body by itself is singular, or the system of the joints would take more than it may.
     ///
     /// # Errors
     /// If memory runs out.
@@ -99,8 +101,9 @@ impl BodyCirculant {
         equations: &Collocation,
         tangent: &Tangent,
         joints: Joints,
-        bounds: Bounds,
+        (bounds, transposed): (Bounds, bool),
     ) -> Result<Option<Self>> {
+        let bounds = (bounds, transposed);
         let mut classes = classify(equations, tangent, joints);
         // What is joined rigidly to a node of a joint that turns is eliminated, if it can be
         // without that node.
@@ -124,7 +127,7 @@ impl BodyCirculant {
         tangent: &Tangent,
         classes: &[Class],
         kept_alone: &[bool],
-        bounds: Bounds,
+        (bounds, transposed): (Bounds, bool),
     ) -> Result<Option<Self>> {
         let points = equations.grid().points();
         let layout = Layout::new(equations, tangent, classes, kept_alone);
@@ -152,6 +155,7 @@ impl BodyCirculant {
             own: &own_means(equations, tangent),
             aliasing: &aliasing,
             compliance: equations.regularisation(),
+            transposed,
             workers: equations.workers(),
         };
         let Some(factors) = averages.factor(0..points / 2 + 1) else {
@@ -177,6 +181,7 @@ impl BodyCirculant {
             series: [series(), series(), series()],
             rates: vec![0.0; if resultants.damped() { motions } else { 0 }],
             aliasing,
+            transposed,
             resultants,
             frequency: equations.grid().frequency(),
             factors,
@@ -197,6 +202,11 @@ impl BodyCirculant {
             circulant.interface_time = began.elapsed();
         }
         Ok(Some(circulant))
+    }
+
+    /// Whether it is that of the transposed equations.
+    pub fn is_transposed(&self) -> bool {
+        self.transposed
     }
 
     /// Unknowns of the system of the joints.
@@ -222,7 +232,11 @@ impl BodyCirculant {
 
     /// `x = P⁻¹ x`, where the unknowns go on with `resultants`, if any are given.
     pub fn apply(&mut self, x: &mut [f64], resultants: &mut [f64]) {
-        if !resultants.is_empty() {
+        if !resultants.is_empty() && self.transposed {
+            self.resultants
+                .add_transposed(resultants, x, &mut self.rates);
+            self.subtract_slopes(x);
+        } else if !resultants.is_empty() {
             self.resultants.add_forces(resultants, x);
         }
         for rotation in &self.rotations {
@@ -260,7 +274,9 @@ impl BodyCirculant {
             },
         );
         self.transform_back(x);
-        if !resultants.is_empty() {
+        if !resultants.is_empty() && self.transposed {
+            self.resultants.determine_transposed(x, resultants);
+        } else if !resultants.is_empty() {
             if self.resultants.damped() {
                 self.find_rates();
             }
@@ -269,6 +285,40 @@ impl BodyCirculant {
         for rotation in &self.rotations {
             rotation.apply(x, true);
         }
+    }
+
+    /// Takes the derivatives of what is in `rates`, if resultants depend on them, from forces.
+    fn subtract_slopes(&mut self, x: &mut [f64]) {
+        if self.rates.is_empty() {
+            return;
+        }
+        let (points, frequency) = (self.points, self.frequency);
+        let (of_node, rates) = (self.unknowns.of_node(), &self.rates);
+        let motions = &mut x[..rates.len()];
+        let mut parts: Vec<_> = motions.chunks_mut(of_node).collect();
+        let new = || self.transform.clone();
+        self.workers.for_each(
+            &mut parts,
+            &mut self.workspaces,
+            new,
+            |transform, node, forces| {
+                let rates = &rates[node * of_node..][..of_node];
+                for component in 0..6 {
+                    let series = rates[component..].iter().step_by(6);
+                    transform.analysis.read(series.copied());
+                    let spectrum = transform.synthesis.spectrum.iter_mut();
+                    let harmonics = spectrum.zip(&transform.analysis.spectrum);
+                    for (j, (slope, value)) in harmonics.enumerate() {
+                        let rate = frequency * j as f64 / points as f64;
+                        *slope = value * Complex::new(0.0, rate);
+                    }
+                    let series = forces[component..].iter_mut().step_by(6);
+                    series
+                        .zip(transform.backward())
+                        .for_each(|(force, slope)| *force -= slope);
+                }
+            },
+        );
     }
 
     /// Derivatives of the motions, from their harmonics, and what the grid adds to them.

@@ -21,21 +21,26 @@ pub(super) enum Factors {
 }
 
 impl Factors {
+    /// Those of a kind, for the Jacobian or its transpose; none if they cannot be had.
+    ///
+    /// # Errors
+    /// If memory runs out.
     pub fn new(
         equations: &Collocation,
         tangent: &Tangent,
         preconditioner: Preconditioner,
-        bounds: Bounds,
+        (bounds, transposed): (Bounds, bool),
     ) -> Result<Option<Self>> {
         let circulant = |joints: Joints| -> Result<Option<Self>> {
-            let factors = BodyCirculant::new(equations, tangent, joints, bounds)?;
+            let factors = BodyCirculant::new(equations, tangent, joints, (bounds, transposed))?;
             Ok(factors.map(|f| Factors::Body(Box::new(f))))
         };
         match preconditioner {
             Preconditioner::BodyCirculant => circulant(Joints::Exact),
             Preconditioner::Circulant => circulant(Joints::Averaged),
             Preconditioner::TimeLocal => {
-                Ok(TimeLocal::new(equations, tangent).map(|f| Factors::Local(Box::new(f))))
+                let factors = TimeLocal::new(equations, tangent, transposed);
+                Ok(factors.map(|f| Factors::Local(Box::new(f))))
             }
         }
     }
@@ -67,7 +72,11 @@ impl Factors {
         let (x, resultants) = first.split_at_mut(size);
         factors.apply(x, resultants);
         let norm = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
-        let scale = norm(resultants) / (RESULTANT_SHARE * norm(x));
+        // The transpose has the scale on the other side.
+        let scale = match factors.is_transposed() {
+            false => norm(resultants) / (RESULTANT_SHARE * norm(x)),
+            true => RESULTANT_SHARE * norm(x) / norm(resultants),
+        };
         if scale.is_finite() && scale > 0.0 {
             factors.resultants.scale = scale;
             tangent.set_resultant_scale(scale);

@@ -381,7 +381,7 @@ mod tests {
         let mut equations = Collocation::new(solve.system.clone(), solve.grid).unwrap();
         let mut tangent = Tangent::with_resultants_apart(equations.system(), POINTS);
         tangent.evaluate(&mut equations, &solve.state).unwrap();
-        let circulant = BodyCirculant::new(&equations, &tangent, Joints::Exact, BOUNDS);
+        let circulant = BodyCirculant::new(&equations, &tangent, Joints::Exact, (BOUNDS, false));
         circulant.unwrap().unwrap()
     }
 

@@ -243,6 +243,9 @@ pub(super) struct Averages<'a> {
     pub aliasing: &'a [Vec<Aliasing>],
     /// Scaled compliance of constraints.
     pub compliance: f64,
+    /// Whether the matrices are to be those of the transposed equations, which are the conjugate
+    /// transposes: transposition turns time back.
+    pub transposed: bool,
     pub workers: &'a Workers,
 }
 
@@ -279,7 +282,23 @@ impl Averages<'_> {
     fn place(&self, coupling: &Coupling) -> BlockPlace {
         let at = |node: usize| self.layout.node_at[node];
         let structure = &self.layout.structure;
-        structure.block_at(at(coupling.row), at(coupling.column))
+        match self.transposed {
+            false => structure.block_at(at(coupling.row), at(coupling.column)),
+            true => structure.block_at(at(coupling.column), at(coupling.row)),
+        }
+    }
+
+    /// Where an entry of what is not transposed stands in a block.
+    fn entry(&self, place: BlockPlace, i: usize, j: usize) -> usize {
+        match self.transposed {
+            false => place.entry(i, j),
+            true => place.entry(j, i),
+        }
+    }
+
+    /// What stands there.
+    fn value(&self, x: Complex<f64>) -> Complex<f64> {
+        if self.transposed { x.conj() } else { x }
     }
 
     /// Writes the matrices of harmonics with these circular frequencies.
@@ -291,9 +310,9 @@ impl Averages<'_> {
             for i in 0..6 {
                 for j in 0..6 {
                     let (k, c, m) = (stiffness[(i, j)], damping[(i, j)], mass[(i, j)]);
-                    lanes.at(place.entry(i, j)).add(|lane| {
+                    lanes.at(self.entry(place, i, j)).add(|lane| {
                         let rate = rates[lane];
-                        Complex::new(k - rate * rate * m, rate * c)
+                        self.value(Complex::new(k - rate * rate * m, rate * c))
                     });
                 }
             }
@@ -331,9 +350,9 @@ impl Averages<'_> {
                 for row in 0..count {
                     for column in 0..count {
                         let at = column * count + row;
-                        let value =
-                            |lane: usize| Complex::new(stiffness[at], rates[lane] * damping[at]);
-                        lanes.at(own_place.entry(row, column)).add(value);
+                        lanes.at(self.entry(own_place, row, column)).add(|lane| {
+                            self.value(Complex::new(stiffness[at], rates[lane] * damping[at]))
+                        });
                     }
                 }
             } else {
@@ -355,8 +374,8 @@ impl Averages<'_> {
             let place = self.place(coupling);
             for i in 0..6 {
                 for j in 0..6 {
-                    let entry = lanes.at(place.entry(i, j));
-                    entry.set(lane, entry.get(lane) + change[(i, j)]);
+                    let entry = lanes.at(self.entry(place, i, j));
+                    entry.set(lane, entry.get(lane) + self.value(change[(i, j)]));
                 }
             }
         }

@@ -8,6 +8,7 @@
 //! * `body_circulant`: bodies averaged over time, joints as they are. In `constraints` which of
 //!   these may be averaged too, in `mean` the averages, in `resultants` those of stress resultants,
 //!   in `interface` the system of the joints that turn.
+//! * `transposed`: the transposed equations, by the transposes of these.
 //! * `time_local`: equilibrium at each grid point by itself.
 //! * Both factor small sparse matrices with blocks where `layout` says, by `block_lu`, several side
 //!   by side in `lanes`, or by `fronts` where they fill as those of meshes do.
@@ -46,6 +47,7 @@ mod spread_test;
 mod spread_time;
 mod time_local;
 mod transport;
+mod transposed;
 mod trial;
 
 use crate::collocation::{Collocation, GridState, Tangent};
@@ -67,6 +69,7 @@ use serde::{Deserialize, Serialize};
 pub(crate) use spread::{Spread, motion_of, numbers_of, suitable};
 pub(crate) use spread_factors::SpreadFactors;
 use std::time::{Duration, Instant};
+use transposed::Transposed;
 pub(crate) use trial::missing_inertia;
 pub use trial::{LinearTrial, try_linear_solve};
 
@@ -155,6 +158,8 @@ pub(crate) struct Iterative {
     /// What is in use, and what is left to be tried, each with the products that a solve may take.
     candidates: Vec<(Preconditioner, usize)>,
     factors: Option<Factors>,
+    /// The same of the transposed equations, once they were wanted.
+    transposed: Option<Transposed>,
     /// Whether the factors are those of an earlier Jacobian.
     is_old: bool,
     /// Whether the size of stress resultants has been found for the factors.
@@ -194,6 +199,7 @@ impl Iterative {
             suspect: SUSPECT.max(SUSPECT_SLENDER * slenderness),
             candidates: Vec::new(),
             factors: None,
+            transposed: None,
             is_old: false,
             is_scaled: false,
             eliminated: None,
@@ -228,6 +234,7 @@ impl Iterative {
     fn prepare_first(&mut self, equations: &Collocation) -> Result<bool> {
         // The memory of the old ones first.
         self.factors = None;
+        self.transposed = None;
         self.first_products = None;
         self.is_scaled = false;
         self.eliminated = None;
@@ -245,7 +252,7 @@ impl Iterative {
                 any_band: is_last,
                 left_out: self.left_out,
             };
-            self.factors = Factors::new(equations, &self.tangent, preconditioner, bounds)?;
+            self.factors = Factors::new(equations, &self.tangent, preconditioner, (bounds, false))?;
             if let Some(Factors::Body(factors)) = &self.factors {
                 self.left_out = factors.left_out().unwrap_or(self.left_out);
             }
@@ -411,6 +418,7 @@ impl LinearSolver for Iterative {
             self.tangent.evaluate(equations, state)
         })?;
         self.is_old = true;
+        self.transposed = None;
         self.eliminated = None;
         if let Some(factors) = &self.factors
             && !factors.are_cheap(equations.size())
@@ -431,6 +439,16 @@ impl LinearSolver for Iterative {
         timings: &mut Timings,
     ) -> Result<bool> {
         self.iterate((equations, None), rhs, accuracy, timings)
+    }
+
+    fn solve_transposed(
+        &mut self,
+        equations: &mut Collocation,
+        rhs: &mut [f64],
+        accuracy: f64,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        self.iterate_transposed(equations, rhs, accuracy, timings)
     }
 
     fn tangent(&mut self) -> Option<&mut Tangent> {

@@ -4,6 +4,12 @@
 //! [S Bᵀ; L −1] [x; f] = [b; r]   ⇔   (S + Bᵀ L) x = b + Bᵀ r,   f = L x − r
 //! ```
 //!
+//! and transposed, with `L` and `B` in each other's place,
+//!
+//! ```text
+//! [Sᵀ Lᵀ; B −1] [x; f] = [b; r]   ⇔   (Sᵀ + Lᵀ B) x = b + Lᵀ r,   f = B x − r
+//! ```
+//!
 //! with `B` and `L` averaged over time. They are worth their memory because averages of a bent
 //! beam's stiffness, `Bᵀ L`, would stretch it where it bends. See docs/theory.md, section 8.4.
 
@@ -80,6 +86,45 @@ impl Resultants {
         };
         self.workers
             .each(&mut rows, |node, forces| add(node, forces));
+    }
+
+    /// `x += Lᵀ r`, but for what depends on rates, if anything does: that is written to `rates`, to
+    /// be differentiated and subtracted.
+    pub fn add_transposed(&self, r: &[f64], x: &mut [f64], rates: &mut [f64]) {
+        let (motions, of_node) = (self.layout.motions(), self.layout.of_node());
+        rates.fill(0.0);
+        let by_order = [(0, &mut x[motions]), (1, rates)];
+        for (order, sums) in by_order {
+            let mut rows: Vec<_> = sums.chunks_mut(of_node).collect();
+            self.workers.each(&mut rows, |node, forces| {
+                for &(station, strain) in &self.acting[node] {
+                    let to_force = self.strains[strain].orders[order].transpose() / self.scale;
+                    let r = r[of_node * station..].chunks_exact(6);
+                    for (force, r) in forces.chunks_exact_mut(6).zip(r) {
+                        let sum = to_force * Vector6::from_column_slice(r);
+                        force.iter_mut().zip(&sum).for_each(|(y, f)| *y += f);
+                    }
+                }
+            });
+        }
+    }
+
+    /// `r = B x − r`.
+    pub fn determine_transposed(&self, x: &[f64], r: &mut [f64]) {
+        let mut all: Vec<_> = r.chunks_mut(self.layout.of_node()).collect();
+        self.workers.each(&mut all, |index, series| {
+            let station = &self.stations[index];
+            for (k, r) in series.chunks_exact_mut(6).enumerate() {
+                let mut sum = Vector6::zeros();
+                for (&node, mean) in station.nodes.iter().zip(&self.strains[station.first..]) {
+                    let u = Vector6::from_column_slice(&x[self.layout.motion(node, k)]);
+                    sum += mean.strain * u;
+                }
+                r.iter_mut()
+                    .zip(&sum)
+                    .for_each(|(r, e)| *r = e * self.scale - *r);
+            }
+        });
     }
 
     /// `r = L x − r`, for the derivatives of `x` at the same places, if any resultant depends on

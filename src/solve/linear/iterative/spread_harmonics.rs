@@ -168,6 +168,7 @@ impl SpreadHarmonics {
             own: &parts.own_means(whole),
             aliasing: &parts.aliasing,
             compliance: equations.regularisation(),
+            transposed: false,
             workers: equations.workers(),
         };
         let factors = averages.factor(harmonics.clone());

@@ -49,7 +49,7 @@ fn solved(model: &Model, period: f64, which: Preconditioner, count: usize) -> [V
         any_band: true,
         left_out: LEFT_OUT,
     };
-    let mut factors = Factors::new(&equations, &tangent, which, bounds)
+    let mut factors = Factors::new(&equations, &tangent, which, (bounds, false))
         .unwrap()
         .unwrap();
     let mut alone = right.clone();

@@ -133,7 +133,7 @@ impl SpreadTime {
             here.set_rule(Box::new(rule));
             let mut tangent = Tangent::new(whole, count);
             tangent.evaluate(&mut here, &state)?;
-            Ok(TimeLocal::new(&here, &tangent))
+            Ok(TimeLocal::new(&here, &tangent, false))
         };
         debug_assert!(columns.end <= points);
         ranks.agreed(found())

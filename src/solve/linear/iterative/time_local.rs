@@ -19,8 +19,8 @@ pub(super) struct TimeLocal {
 }
 
 impl TimeLocal {
-    /// Factors the static part of the Jacobian `tangent`. None if it is singular.
-    pub fn new(equations: &Collocation, tangent: &Tangent) -> Option<Self> {
+    /// Factors the static part of the Jacobian `tangent`, or its transpose. None if it is singular.
+    pub fn new(equations: &Collocation, tangent: &Tangent, transposed: bool) -> Option<Self> {
         let points = equations.grid().points();
         let classes = classify_at(equations, tangent, 0);
         let layout = Layout::new(
@@ -36,7 +36,13 @@ impl TimeLocal {
             let mut lanes = BlockLanes::<RealLanes>::new(&layout.structure, used);
             for lane in 0..LANES {
                 let k = (LANES * chunk + lane).min(points - 1);
-                fill(&mut lanes, lane, &layout, equations, tangent, k);
+                fill(
+                    (&mut lanes, lane, transposed),
+                    &layout,
+                    equations,
+                    tangent,
+                    k,
+                );
             }
             if lanes.factor(&layout.structure) {
                 *place = Some(lanes);
@@ -92,10 +98,9 @@ impl TimeLocal {
     }
 }
 
-/// Writes the matrix of grid point `k`.
+/// Writes the matrix of grid point `k`, or its transpose.
 fn fill(
-    lanes: &mut BlockLanes<RealLanes>,
-    lane: usize,
+    (lanes, lane, transposed): (&mut BlockLanes<RealLanes>, usize, bool),
     layout: &Layout,
     equations: &Collocation,
     tangent: &Tangent,
@@ -104,8 +109,11 @@ fn fill(
     let system = equations.system();
     let mut add = |at: ((usize, usize), (usize, usize)), (i, j), value: f64| {
         let ((row, first_row), (column, first_column)) = at;
-        let place = (first_row + i, first_column + j);
-        let entry = lanes.at(layout.structure.entry((row, column), place));
+        let (i, j) = (first_row + i, first_column + j);
+        let entry = lanes.at(match transposed {
+            false => layout.structure.entry((row, column), (i, j)),
+            true => layout.structure.entry((column, row), (j, i)),
+        });
         entry.set(lane, entry.get(lane) + value);
     };
     for (pair, coupling) in tangent.couplings().iter().enumerate() {
