@@ -189,12 +189,17 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_NUMBER_BEAM_MASS = 3605
     integer(c_int32_t), parameter :: PDN_NUMBER_BEAM_DAMPING = 3606
     integer(c_int32_t), parameter :: PDN_NUMBER_MASS_DAMPING = 3607
+    integer(c_int32_t), parameter :: PDN_NUMBER_SHELL_STIFFNESS = 3608
+    integer(c_int32_t), parameter :: PDN_NUMBER_SHELL_MASS = 3609
+    integer(c_int32_t), parameter :: PDN_NUMBER_SHELL_DAMPING = 3610
+    integer(c_int32_t), parameter :: PDN_NUMBER_SHELL_THICKNESS = 3611
     integer(c_int32_t), parameter :: PDN_SIGNAL_OF_ACTUATOR = 3700
     integer(c_int32_t), parameter :: PDN_SIGNAL_OF_PRESCRIBED = 3701
     integer(c_int32_t), parameter :: PDN_SIGNAL_OF_LOAD = 3702
     integer(c_int32_t), parameter :: PDN_SIGNAL_OF_BEAM_LOAD = 3703
     integer(c_int32_t), parameter :: PDN_SIGNAL_OF_GRAVITY = 3704
     integer(c_int32_t), parameter :: PDN_SIGNAL_OF_RELATION = 3705
+    integer(c_int32_t), parameter :: PDN_SIGNAL_OF_SHELL_LOAD = 3706
     integer(c_int32_t), parameter :: PDN_PART_MEAN = 3800
     integer(c_int32_t), parameter :: PDN_PART_RATE = 3801
     integer(c_int32_t), parameter :: PDN_PART_AMPLITUDE = 3802
@@ -208,6 +213,7 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_FORCE_IS_BUSHING = 1105
     integer(c_int32_t), parameter :: PDN_FORCE_IS_USER_FORCE = 1106
     integer(c_int32_t), parameter :: PDN_FORCE_IS_CONTROLLER = 1107
+    integer(c_int32_t), parameter :: PDN_FORCE_IS_SURFACE_FORCE = 1108
     integer(c_int32_t), parameter :: PDN_NUMBER_RELAXATION_TIME = 3608
     integer(c_int32_t), parameter :: PDN_FEATURE_MEAN = 2900
     integer(c_int32_t), parameter :: PDN_FEATURE_COSINE = 2901
@@ -376,6 +382,26 @@ module periodyn_c
         type(c_ptr) :: by_states = c_null_ptr
     end type pdn_controller_values
 
+    type, bind(C) :: pdn_surface_state
+        integer(c_size_t) :: struct_size = 0
+        real(c_double) :: time
+        integer(c_int32_t) :: element
+        integer(c_int32_t) :: reserved
+        integer(c_size_t) :: point_count
+        type(c_ptr) :: places = c_null_ptr
+        type(c_ptr) :: sizes = c_null_ptr
+        type(c_ptr) :: positions = c_null_ptr
+        type(c_ptr) :: rotations = c_null_ptr
+        type(c_ptr) :: velocities = c_null_ptr
+    end type pdn_surface_state
+
+    type, bind(C) :: pdn_surface_values
+        integer(c_size_t) :: struct_size = 0
+        type(c_ptr) :: forces = c_null_ptr
+        type(c_ptr) :: by_motion = c_null_ptr
+        type(c_ptr) :: by_velocity = c_null_ptr
+    end type pdn_surface_values
+
     type, bind(C) :: pdn_diagnostics
         integer(c_size_t) :: struct_size = 0
         integer(c_int32_t) :: outcome
@@ -528,6 +554,8 @@ module periodyn_c
         real(c_double) :: first_rotation(9)
         real(c_double) :: second_position(3)
         real(c_double) :: second_rotation(9)
+        integer(c_int32_t) :: shell_element
+        integer(c_int32_t) :: shell_place
     end type pdn_force_info
 
     type, bind(C) :: pdn_sensitivity_options
@@ -760,6 +788,15 @@ module periodyn_c
             type(c_ptr), value :: user_data
             integer(c_int32_t) :: pdn_controller_fn
         end function pdn_controller_fn
+
+        ! Forces on shells, to be computed by the caller, such as of a fluid: for all points of one element at once, ...
+        function pdn_surface_force_fn(state, values, user_data) bind(C)
+            import
+            type(pdn_surface_state), intent(in) :: state
+            type(pdn_surface_values), intent(inout) :: values
+            type(c_ptr), value :: user_data
+            integer(c_int32_t) :: pdn_surface_force_fn
+        end function pdn_surface_force_fn
 
         ! Called after each Newton iteration, or after each step of a march, and while one lasts about ten times a ...
         function pdn_progress_fn(progress, user_data) bind(C)
@@ -1622,6 +1659,32 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_set_shell_prestress
         end function pdn_model_set_shell_prestress
 
+        ! Fixes nodes to a body, by a rigid joint each as ::pdn_model_add_rigid_joint makes: such as the nodes along ...
+        function pdn_model_add_rigid_joints(model, body, nodes, count, first_joint, &
+            joints) bind(C, name="pdn_model_add_rigid_joints")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: body
+            integer(c_int32_t), intent(in) :: nodes(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t), intent(inout) :: first_joint
+            integer(c_int32_t), intent(inout) :: joints
+            integer(c_int32_t) :: pdn_model_add_rigid_joints
+        end function pdn_model_add_rigid_joints
+
+        ! Fixes a whole edge of a shell over a surface or a grid to a body: ::pdn_model_add_rigid_joints with the ...
+        function pdn_model_add_rigid_edge(model, body, shell, edge, first_joint, &
+            joints) bind(C, name="pdn_model_add_rigid_edge")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: body
+            type(pdn_shell), intent(in) :: shell
+            integer(c_int32_t), value :: edge
+            integer(c_int32_t), intent(inout) :: first_joint
+            integer(c_int32_t), intent(inout) :: joints
+            integer(c_int32_t) :: pdn_model_add_rigid_edge
+        end function pdn_model_add_rigid_edge
+
         ! Number of forces: springs, dampers, actuators and the like, but not loads; their ids are 0 ..
         function pdn_model_force_count(model, count) bind(C, name="pdn_model_force_count")
             import
@@ -1837,6 +1900,23 @@ module periodyn_c
             real(c_double), intent(inout), optional :: size
             integer(c_int32_t) :: pdn_model_controller_state
         end function pdn_model_controller_state
+
+        ! Adds forces on shell elements that a function of the caller computes at the points of a quadrature: a ...
+        function pdn_model_add_surface_force(model, first_element, elements, place, frame, tangents, &
+            function, user_data, destroy, first_force) bind(C, name="pdn_model_add_surface_force")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: first_element
+            integer(c_int32_t), value :: elements
+            integer(c_int32_t), value :: place
+            integer(c_int32_t), value :: frame
+            integer(c_int32_t), value :: tangents
+            type(c_funptr), value :: function
+            type(c_ptr), value :: user_data
+            type(c_funptr), value :: destroy
+            integer(c_int32_t), intent(inout), optional :: first_force
+            integer(c_int32_t) :: pdn_model_add_surface_force
+        end function pdn_model_add_surface_force
 
         ! Gives a node, joint, element, force or relation a label, in place of the one that it has
         function pdn_model_set_label(model, kind, id, label) bind(C, name="pdn_model_set_label")

@@ -951,6 +951,28 @@
 #define PDN_NUMBER_MASS_DAMPING 3607
 
 /**
+ * A parameter moves a factor of the stiffness of a shell element.
+ */
+#define PDN_NUMBER_SHELL_STIFFNESS 3608
+
+/**
+ * A parameter moves a factor of the mass of a shell element.
+ */
+#define PDN_NUMBER_SHELL_MASS 3609
+
+/**
+ * A parameter moves a factor of the damping of a shell element.
+ */
+#define PDN_NUMBER_SHELL_DAMPING 3610
+
+/**
+ * A parameter moves a factor of the thickness of a shell element, more than zero, all its layers
+ * alike: stiffness, damping and mass against stretching grow with it, against bending and turning
+ * with its cube, what couples them with its square.
+ */
+#define PDN_NUMBER_SHELL_THICKNESS 3611
+
+/**
  * The signal of an actuator, by its force id.
  */
 #define PDN_SIGNAL_OF_ACTUATOR 3700
@@ -979,6 +1001,11 @@
  * The signal of a linear relation between joint coordinates, by its id.
  */
 #define PDN_SIGNAL_OF_RELATION 3705
+
+/**
+ * The signal of a component of a load on shells, in the order in which these were added.
+ */
+#define PDN_SIGNAL_OF_SHELL_LOAD 3706
 
 /**
  * Part of a signal: the mean that is added to its shape.
@@ -1044,6 +1071,11 @@
  * Kind of force: a controller.
  */
 #define PDN_FORCE_IS_CONTROLLER 1107
+
+/**
+ * Kind of force: forces of the user on a shell element.
+ */
+#define PDN_FORCE_IS_SURFACE_FORCE 1108
 
 /**
  * Numbers of a force: relaxation times of the branches of a viscoelastic element. Parameters do
@@ -1824,7 +1856,8 @@ typedef struct pdn_tangent_check {
      */
     int32_t tangent;
     /**
-     * Node of the force that is differentiated; -1 for an effort on a joint coordinate.
+     * Node of the force that is differentiated; of one on a shell, number of the point from 0; -1
+     * for an effort on a joint coordinate.
      */
     int32_t row_node;
     /**
@@ -1832,7 +1865,8 @@ typedef struct pdn_tangent_check {
      */
     int32_t row_component;
     /**
-     * Node of the motion or velocity that it is differentiated by; -1 for a joint coordinate.
+     * Node of the motion or velocity that it is differentiated by, or point; -1 for a joint
+     * coordinate.
      */
     int32_t column_node;
     /**
@@ -1941,6 +1975,107 @@ typedef struct pdn_controller_values {
 typedef int32_t (*pdn_controller_fn)(const struct pdn_controller_state *state,
                                      struct pdn_controller_values *values,
                                      void *user_data);
+
+/**
+ * What a user's forces on a shell element may depend on: the points of a quadrature over its
+ * surface or an edge. The library makes it; a later one may add fields at its end.
+ */
+typedef struct pdn_surface_state {
+    /**
+     * Size of the struct that the library knows.
+     */
+    size_t struct_size;
+    /**
+     * Time, in [0, T) of the period T of the solve, but for the first calls of a solve
+     * (::pdn_surface_force_fn).
+     */
+    double time;
+    /**
+     * Id of the shell element.
+     */
+    int32_t element;
+    /**
+     * Zero.
+     */
+    int32_t reserved;
+    /**
+     * Number of points.
+     */
+    size_t point_count;
+    /**
+     * Array of shape 2 x [point_count]: xi and eta of each, from -1 to 1.
+     */
+    const double *places;
+    /**
+     * Array of length [point_count]: the reference area, or length of an edge, that each stands
+     * for: a force is this much of what the function gives.
+     */
+    const double *sizes;
+    /**
+     * Array of shape 3 x [point_count]: positions, global coordinates [length].
+     */
+    const double *positions;
+    /**
+     * Array of shape 9 x [point_count]: rotation matrices, column by column; the columns are the
+     * axes of the point in global coordinates, those of a follower load: on the surface axes 1, 2
+     * and the normal, on an edge 1 along it, 3 along the normal, and 2 = 3 * 1.
+     */
+    const double *rotations;
+    /**
+     * Array of shape 6 x [point_count]: velocity and angular velocity of each point relative to
+     * the inertial frame, also in a steady rotation (::pdn_solve_static), along the global axes
+     * (PDN_FRAME_SPACE) or the point's own (PDN_FRAME_MATERIAL).
+     */
+    const double *velocities;
+} pdn_surface_state;
+
+/**
+ * Where a user's forces on a shell element go. The library makes it, with all arrays set to zero;
+ * a later one may add fields.
+ *
+ * Everything is along the same axes as the velocities, for each unit of reference area or length.
+ * Rows and columns of the tangents are those of ::pdn_force_values, of one point.
+ */
+typedef struct pdn_surface_values {
+    /**
+     * Size of the struct that the library knows.
+     */
+    size_t struct_size;
+    /**
+     * Array of shape 6 x [point_count]: force at each point and moment about it.
+     */
+    double *forces;
+    /**
+     * Array of shape 6 x 6 x [point_count], each column by column: derivatives of the force at a
+     * point by displacements and turns of this point. NULL if tangents are not wanted, or were
+     * said not to be given.
+     */
+    double *by_motion;
+    /**
+     * The same by velocities and angular velocities; NULL where by_motion is.
+     */
+    double *by_velocity;
+} pdn_surface_values;
+
+/**
+ * Forces on shells, to be computed by the caller, such as of a fluid: for all points of one
+ * element at once, each by the motion of this point alone.
+ *
+ * Called on the thread that solves; if two threads solve at once, on both at once. The same state
+ * must give the same forces, and over time they must repeat with the period: solves call it first
+ * a few times at one motion, at times in [0, 2 T), and refuse what does not with
+ * PDN_ERR_NOT_PERIODIC. It must neither throw nor jump out, nor use the model it belongs to. It is
+ * called many times at trial motions, which may be far from the solution.
+ *
+ * @param state  time and motions of the points; valid during the call only
+ * @param values  where the forces go, all zero at first; valid during the call only
+ * @param user_data  as given to ::pdn_model_add_surface_force
+ * @return 0 for success; anything else makes the solve fail with PDN_ERR_CALLBACK (see
+ *     ::pdn_set_callback_error and ::pdn_last_callback_code), as does a value that is not finite
+ */
+typedef int32_t (*pdn_surface_force_fn)(const struct pdn_surface_state *state,
+                                        struct pdn_surface_values *values,
+                                        void *user_data);
 
 /**
  * Figures of a solve. Initialise with `PDN_INIT(pdn_diagnostics, &diagnostics)`.
@@ -2561,7 +2696,7 @@ typedef struct pdn_force_info {
      */
     size_t struct_size;
     /**
-     * PDN_FORCE_IS_SPRING_DAMPER ... PDN_FORCE_IS_CONTROLLER, of which
+     * PDN_FORCE_IS_SPRING_DAMPER ... PDN_FORCE_IS_SURFACE_FORCE; of a controller
      * ::pdn_model_controller_counts tells more.
      */
     int32_t kind;
@@ -2622,6 +2757,14 @@ typedef struct pdn_force_info {
      * Axes of the second frame, likewise.
      */
     double second_rotation[9];
+    /**
+     * Of forces of the user on a shell, id of the element; else -1.
+     */
+    int32_t shell_element;
+    /**
+     * Where on it: PDN_SHELL_SURFACE or an edge; else -1.
+     */
+    int32_t shell_place;
 } pdn_force_info;
 
 /**
@@ -4977,6 +5120,66 @@ pdn_status pdn_model_set_shell_prestress(struct pdn_model *model,
                                          const double *resultants);
 
 /**
+ * Fixes nodes to a body, by a rigid joint each as ::pdn_model_add_rigid_joint makes: such as the
+ * nodes along an edge of a shell, which then moves as a part of the body.
+ *
+ * The body is the first of each joint, whose frames are at the node. The body itself, if it is
+ * among the nodes, and what a rigid joint fixes to it already, is left out, so that edges with a
+ * common corner may be fixed to one body.
+ *
+ * @param model  the model; not NULL
+ * @param body  id of the node that the others are fixed to: of a body, an end of a beam, or one of
+ *     the nodes themselves; or PDN_GROUND
+ * @param nodes  array of length [count]: ids of the nodes, all different
+ * @param count  number of nodes, at least 1
+ * @param first_joint  id of the first of the joints, which follow each other in the order of the
+ *     nodes; written on success only
+ * @param joints  number of joints; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE (a node twice, or none
+ *     left to be fixed)
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_rigid_joints(struct pdn_model *model,
+                                      int32_t body,
+                                      const int32_t *nodes,
+                                      size_t count,
+                                      int32_t *first_joint,
+                                      int32_t *joints);
+
+/**
+ * Fixes a whole edge of a shell over a surface or a grid to a body: ::pdn_model_add_rigid_joints
+ * with the nodes along it.
+ *
+ * A rigid edge takes forces and couples in all directions, those about the normal too, from
+ * bodies, beams and joints on the body.
+ *
+ * @param model  the model; not NULL
+ * @param body  id of the node that the edge is fixed to: of a body, an end of a beam, or one of
+ *     the edge; or PDN_GROUND
+ * @param shell  the shell, as the function that added it has written it; not NULL
+ * @param edge  PDN_SHELL_EDGE_START_ETA where v = 0, PDN_SHELL_EDGE_END_XI where u = 1,
+ *     PDN_SHELL_EDGE_END_ETA where v = 1 or PDN_SHELL_EDGE_START_XI where u = 0
+ * @param first_joint  id of the first of the joints, which follow each other in the order of the
+ *     nodes along u or v; written on success only
+ * @param joints  number of joints; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_SIZE, PDN_ERR_VALUE (none left to be fixed,
+ *     too)
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_rigid_edge(struct pdn_model *model,
+                                    int32_t body,
+                                    const struct pdn_shell *shell,
+                                    int32_t edge,
+                                    int32_t *first_joint,
+                                    int32_t *joints);
+
+/**
  * Number of forces: springs, dampers, actuators and the like, but not loads; their ids are 0 ...
  * count - 1.
  *
@@ -5273,8 +5476,8 @@ void pdn_tangent_check_init(struct pdn_tangent_check *check,
  * not make solutions wrong, but Newton's method slow, or fail.
  *
  * @param model  the model; not NULL
- * @param force  id of a force by ::pdn_model_add_coordinate_law, ::pdn_model_add_user_force or
- *     ::pdn_model_add_controller
+ * @param force  id of a force by ::pdn_model_add_coordinate_law, ::pdn_model_add_user_force,
+ *     ::pdn_model_add_controller or ::pdn_model_add_surface_force
  * @param period  the period that the model is to be solved for, positive [time]
  * @param check  initialised by PDN_INIT; filled on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
@@ -5429,6 +5632,47 @@ pdn_status pdn_model_controller_state(const struct pdn_model *model,
                                       int32_t index,
                                       double *initial,
                                       double *size);
+
+/**
+ * Adds forces on shell elements that a function of the caller computes at the points of a
+ * quadrature: a force, with an id of its own, for each element.
+ *
+ * They act on the reference surface of the element, or on an edge of it, as loads do
+ * (::pdn_model_add_shell_load): at as many points as it has nodes there.
+ *
+ * @param model  the model; not NULL
+ * @param first_element  id of the first shell element
+ * @param elements  number of elements, from the first on; at least 1
+ * @param place  PDN_SHELL_SURFACE, PDN_SHELL_EDGE_START_ETA, PDN_SHELL_EDGE_END_XI,
+ *     PDN_SHELL_EDGE_END_ETA or PDN_SHELL_EDGE_START_XI, of each of them
+ * @param frame  PDN_FRAME_SPACE: velocities, forces and tangents are along the global axes;
+ *     PDN_FRAME_MATERIAL: along those of each point, so that a pressure is force 3 of a surface
+ * @param tangents  PDN_TANGENTS_GIVEN if the function writes tangents, which
+ *     ::pdn_model_check_tangents checks; PDN_TANGENTS_DIFFERENCED if the library is to find them
+ *     by differences, at the price of 24 calls an element
+ * @param function  the forces, see ::pdn_surface_force_fn for when it is called; not NULL
+ * @param user_data  handed to the function; may be NULL
+ * @param destroy  called once with user_data when the model, its copies in solutions included, no
+ *     longer needs it, on the thread that frees the last; may be NULL. It is not called if this
+ *     call fails
+ * @param first_force  id of the force on the first element, which those on the others follow; may
+ *     be NULL if it is not wanted; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_surface_force(struct pdn_model *model,
+                                       int32_t first_element,
+                                       int32_t elements,
+                                       int32_t place,
+                                       int32_t frame,
+                                       int32_t tangents,
+                                       pdn_surface_force_fn function,
+                                       void *user_data,
+                                       pdn_destroy_fn destroy,
+                                       int32_t *first_force);
 
 /**
  * Gives a node, joint, element, force or relation a label, in place of the one that it has.
@@ -6842,11 +7086,12 @@ pdn_status pdn_model_add_parameter(struct pdn_model *model,
  * @param model  the model; not NULL
  * @param parameter  id of the parameter
  * @param number  PDN_NUMBER_STIFFNESS, ...
- * @param index  of the force, the body or the beam element; 0 for PDN_NUMBER_MASS_DAMPING
+ * @param index  of the force, the body, the beam or the shell element; 0 for
+ *     PDN_NUMBER_MASS_DAMPING
  * @param power  power, from 1, of a stiffness or damping; 0 for all else
  * @param factor  the number for a unit of the parameter, not zero
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID (no such parameter or number),
- *     PDN_ERR_VALUE (another parameter moves it already)
+ *     PDN_ERR_VALUE (another parameter moves it already, or a thickness is not positive)
  *
  * Threads: exclusive use of `model`.
  * @since 0.1

@@ -446,6 +446,17 @@ NUMBER_BEAM_DAMPING = 3606
 """A parameter moves a factor of the sections' damping along a beam element."""
 NUMBER_MASS_DAMPING = 3607
 """A parameter moves the damping in proportion to mass, Model.set_mass_damping."""
+NUMBER_SHELL_STIFFNESS = 3608
+"""A parameter moves a factor of the stiffness of a shell element."""
+NUMBER_SHELL_MASS = 3609
+"""A parameter moves a factor of the mass of a shell element."""
+NUMBER_SHELL_DAMPING = 3610
+"""A parameter moves a factor of the damping of a shell element."""
+NUMBER_SHELL_THICKNESS = 3611
+"""A parameter moves a factor of the thickness of a shell element, more than zero, all its layers
+alike: stiffness, damping and mass against stretching grow with it, against bending and turning
+with its cube, what couples them with its square.
+"""
 SIGNAL_OF_ACTUATOR = 3700
 """The signal of an actuator, by its force id."""
 SIGNAL_OF_PRESCRIBED = 3701
@@ -458,6 +469,8 @@ SIGNAL_OF_GRAVITY = 3704
 """The signal of a component of gravity; its index is 0."""
 SIGNAL_OF_RELATION = 3705
 """The signal of a linear relation between joint coordinates, by its id."""
+SIGNAL_OF_SHELL_LOAD = 3706
+"""The signal of a component of a load on shells, in the order in which these were added."""
 PART_MEAN = 3800
 """Part of a signal: the mean that is added to its shape."""
 PART_RATE = 3801
@@ -485,6 +498,8 @@ FORCE_IS_USER_FORCE = 1106
 """Kind of force: forces of the user on nodes."""
 FORCE_IS_CONTROLLER = 1107
 """Kind of force: a controller."""
+FORCE_IS_SURFACE_FORCE = 1108
+"""Kind of force: forces of the user on a shell element."""
 NUMBER_RELAXATION_TIME = 3608
 """Numbers of a force: relaxation times of the branches of a viscoelastic element. Parameters do
 not move them.
@@ -1090,11 +1105,15 @@ class TangentCheck(Struct):
     tangent = Number("tangent")
     """TANGENT_MOTION or TANGENT_VELOCITY."""
     row_node = Number("row_node")
-    """Node of the force that is differentiated; -1 for an effort on a joint coordinate."""
+    """Node of the force that is differentiated; of one on a shell, number of the point from 0; -1
+    for an effort on a joint coordinate.
+    """
     row_component = Number("row_component")
     """Its component, FORCE_1, ... MOMENT_3; 0 for an effort."""
     column_node = Number("column_node")
-    """Node of the motion or velocity that it is differentiated by; -1 for a joint coordinate."""
+    """Node of the motion or velocity that it is differentiated by, or point; -1 for a joint
+    coordinate.
+    """
     column_component = Number("column_component")
     """Its component: 0, 1, 2 linear, 3, 4, 5 angular; 0 for a joint coordinate."""
 
@@ -1468,7 +1487,8 @@ class ForceInfo(Struct):
     _type = "pdn_force_info"
     _initialise = lib.pdn_force_info_init
     kind = Number("kind")
-    """FORCE_IS_SPRING_DAMPER ... FORCE_IS_CONTROLLER, of which Model.controller_counts tells more.
+    """FORCE_IS_SPRING_DAMPER ... FORCE_IS_SURFACE_FORCE; of a controller Model.controller_counts
+    tells more.
     """
     joint = Number("joint")
     """Id of the joint on whose coordinate it acts, or -1."""
@@ -1500,6 +1520,10 @@ class ForceInfo(Struct):
     """Origin of the second frame, likewise."""
     second_rotation = Array("second_rotation", (3, 3))
     """Axes of the second frame, likewise."""
+    shell_element = Number("shell_element")
+    """Of forces of the user on a shell, id of the element; else -1."""
+    shell_place = Number("shell_place")
+    """Where on it: SHELL_SURFACE or an edge; else -1."""
 
 
 class SensitivityOptions(Struct):
@@ -3435,6 +3459,64 @@ class Model(ModelExtras):
             pointer(resultants),
         )
 
+    def add_rigid_joints(self, body, nodes):
+        """Fixes nodes to a body, by a rigid joint each as Model.add_rigid_joint makes: such as the
+        nodes along an edge of a shell, which then moves as a part of the body.
+
+        The body is the first of each joint, whose frames are at the node. The body itself, if
+        it is among the nodes, and what a rigid joint fixes to it already, is left out, so that
+        edges with a common corner may be fixed to one body.
+
+        Args:
+            body: id of the node that the others are fixed to: of a body, an end of a beam, or
+                one of the nodes themselves; or GROUND
+            nodes: ids of the nodes, all different
+
+        Returns:
+            first_joint: id of the first of the joints, which follow each other in the order of
+                the nodes
+            joints: number of joints
+        """
+        nodes = ids("nodes", nodes)
+        _count = len(nodes)
+        first_joint = ffi.new("int32_t *")
+        joints = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_add_rigid_joints,
+            self._c,
+            body,
+            ffi.from_buffer("int32_t[]", nodes),
+            _count,
+            first_joint,
+            joints,
+        )
+        return first_joint[0], joints[0]
+
+    def add_rigid_edge(self, body, shell, edge):
+        """Fixes a whole edge of a shell over a surface or a grid to a body: Model.add_rigid_joints
+        with the nodes along it.
+
+        A rigid edge takes forces and couples in all directions, those about the normal too,
+        from bodies, beams and joints on the body.
+
+        Args:
+            body: id of the node that the edge is fixed to: of a body, an end of a beam, or one
+                of the edge; or GROUND
+            shell: the shell, as the function that added it has written it
+            edge: SHELL_EDGE_START_ETA where v = 0, SHELL_EDGE_END_XI where u = 1,
+                SHELL_EDGE_END_ETA where v = 1 or SHELL_EDGE_START_XI where u = 0
+
+        Returns:
+            first_joint: id of the first of the joints, which follow each other in the order of
+                the nodes along u or v
+            joints: number of joints
+        """
+        shell = of_type("Shell")(shell, self._kept)
+        first_joint = ffi.new("int32_t *")
+        joints = ffi.new("int32_t *")
+        call(lib.pdn_model_add_rigid_edge, self._c, body, shell, edge, first_joint, joints)
+        return first_joint[0], joints[0]
+
     def force_count(self):
         """Number of forces: springs, dampers, actuators and the like, but not loads; their ids are
         0 ... count - 1.
@@ -3747,8 +3829,8 @@ class Model(ModelExtras):
         Wrong tangents do not make solutions wrong, but Newton's method slow, or fail.
 
         Args:
-            force: id of a force by Model.add_coordinate_law, Model.add_user_force or
-                Model.add_controller
+            force: id of a force by Model.add_coordinate_law, Model.add_user_force,
+                Model.add_controller or Model.add_surface_force
             period: the period that the model is to be solved for, positive [time]
 
         Returns:
@@ -3904,6 +3986,46 @@ class Model(ModelExtras):
         size = ffi.new("double *")
         call(lib.pdn_model_controller_state, self._c, force, index, initial, size)
         return initial[0], size[0]
+
+    def add_surface_force(self, first_element, elements, place, frame, tangents, function):
+        """Adds forces on shell elements that a function of the caller computes at the points of a
+        quadrature: a force, with an id of its own, for each element.
+
+        They act on the reference surface of the element, or on an edge of it, as loads do
+        (Model.add_shell_load): at as many points as it has nodes there.
+
+        Args:
+            first_element: id of the first shell element
+            elements: number of elements, from the first on; at least 1
+            place: SHELL_SURFACE, SHELL_EDGE_START_ETA, SHELL_EDGE_END_XI, SHELL_EDGE_END_ETA or
+                SHELL_EDGE_START_XI, of each of them
+            frame: FRAME_SPACE: velocities, forces and tangents are along the global axes;
+                FRAME_MATERIAL: along those of each point, so that a pressure is force 3 of a
+                surface
+            tangents: TANGENTS_GIVEN if the function writes tangents, which Model.check_tangents
+                checks; TANGENTS_DIFFERENCED if the library is to find them by differences, at
+                the price of 24 calls an element
+            function: the forces
+
+        Returns:
+            first_force: id of the force on the first element, which those on the others follow
+        """
+        function = _callbacks.surface_force(function, self._kept)
+        first_force = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_add_surface_force,
+            self._c,
+            first_element,
+            elements,
+            place,
+            frame,
+            tangents,
+            function.function,
+            function.data,
+            ffi.NULL,
+            first_force,
+        )
+        return first_force[0]
 
     def set_label(self, kind, id, label=None):
         """Gives a node, joint, element, force or relation a label, in place of the one that it
@@ -4168,7 +4290,8 @@ class Model(ModelExtras):
         Args:
             parameter: id of the parameter
             number: NUMBER_STIFFNESS,
-            index: of the force, the body or the beam element; 0 for NUMBER_MASS_DAMPING
+            index: of the force, the body, the beam or the shell element; 0 for
+                NUMBER_MASS_DAMPING
             power: power, from 1, of a stiffness or damping; 0 for all else
             factor: the number for a unit of the parameter, not zero
         """
