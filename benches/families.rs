@@ -3,16 +3,19 @@
 
 mod common;
 
-use common::models::beams::{forced_cantilever, rotor_blade, shaken_rod};
+use common::models::beams::{forced_cantilever, free_strip, rotor_blade, shaken_rod};
 use common::table::Table;
 use common::timing::{median, processor_time};
 use periodyn::model::{Model, Target};
+use periodyn::output::{Modes, Solution};
 use periodyn::quantity::{Feature, NodeQuantity, Quantity};
 use periodyn::solve::{
-    BranchOptions, Dependent, Free, Outcome, PeriodicOptions, SensitivityOptions, Solved,
-    StabilityOptions, follow_branch, solve_periodic, solve_sensitivities, solve_stability,
+    BranchOptions, Condition, Dependent, Free, InitialGuess, ModesOptions, Outcome, OutputIs,
+    PeriodicOptions, Phase, SensitivityOptions, Solved, StabilityOptions, follow_branch,
+    solve_periodic, solve_sensitivities, solve_stability,
 };
 use std::f64::consts::TAU;
+use std::sync::Arc;
 use std::time::Duration;
 
 const REPETITIONS: usize = 3;
@@ -26,6 +29,7 @@ fn main() {
         ("multipliers", multipliers as fn()),
         ("branches", branches),
         ("sensitivities", sensitivities),
+        ("backbone", backbone),
     ] {
         if asked.is_empty() || asked.iter().any(|a| name.contains(&a[..])) {
             measure();
@@ -169,5 +173,101 @@ fn sensitivities() {
                 format!("{:.2}", time.as_secs_f64() / solve_time.as_secs_f64()),
             ]);
         }
+    }
+}
+
+/// The free motion of a strip in its first mode with this amplitude of the tip.
+fn free_motion(strip: (&Model, usize), points: usize, amplitude: f64) -> Solution {
+    let (model, damping) = strip;
+    let options = ModesOptions {
+        count: 1,
+        ..ModesOptions::default()
+    };
+    let modes = Modes::solve(model, &options, &mut |_, _| true).unwrap();
+    let tip = model.node_count() - 1;
+    let shape = modes.shape(0, tip).unwrap()[1].re;
+    let linear = modes.motion(0, amplitude / shape).unwrap();
+    let free = [Free::Frequency, Free::Parameter(damping)];
+    let moves = Quantity::Node(tip, NodeQuantity::Position).component(1);
+    let given = OutputIs {
+        output: moves,
+        feature: Feature::Cosine(1),
+        value: amplitude,
+        scale: Some(amplitude),
+    };
+    let conditions: [Arc<dyn Condition>; 2] = [Arc::new(Phase), Arc::new(given)];
+    let grid = periodyn::fourier::TimeGrid::new(points, linear.grid().period()).unwrap();
+    let options = PeriodicOptions {
+        guess: InitialGuess::State(linear.prolonged(grid).unwrap()),
+        ..PeriodicOptions::with_grid_points(points)
+    };
+    let given = (&free[..], &conditions[..]);
+    let found =
+        Solution::solve_conditioned(model, grid.period(), given, &options, &mut |_, _| true);
+    let found = found.unwrap();
+    assert_eq!(found.outcome(), Outcome::Converged);
+    found
+}
+
+fn backbone() {
+    let titles = [
+        "model",
+        "N",
+        "points",
+        "range",
+        "largest angle",
+        "damping found",
+        "iterations",
+        "point ms",
+    ];
+    let mut table = Table::new("backbone", &titles);
+    for (name, (model, damping), points, to) in [
+        ("strip, 40 × 1", free_strip(40, 1), 17, 1.05),
+        ("strip, 10 × 4", free_strip(10, 4), 17, 1.05),
+    ] {
+        let first = free_motion((&model, damping), points, 0.05);
+        let start = TAU / first.grid().period();
+        let options = BranchOptions {
+            periodic: PeriodicOptions {
+                guess: InitialGuess::State(first.details().state.clone()),
+                ..PeriodicOptions::with_grid_points(points)
+            },
+            free: vec![Free::Parameter(damping)],
+            conditions: vec![Arc::new(Phase)],
+            range: [start, to * start],
+            motion_scale: 0.5,
+            ..BranchOptions::default()
+        };
+        let follow = || {
+            let mut observe = |_: usize, _: &_| true;
+            follow_branch(
+                first.model(),
+                TAU / start,
+                Free::Frequency,
+                &options,
+                &mut observe,
+            )
+            .unwrap()
+        };
+        let branch = follow();
+        let times = (0..REPETITIONS).map(|_| processor_time(follow).0);
+        let count = branch.points.len();
+        let most = |of: &dyn Fn(&periodyn::solve::BranchPoint) -> f64| {
+            branch.points.iter().map(of).fold(0.0, f64::max)
+        };
+        table.row(cells![
+            name,
+            points,
+            count,
+            format!(
+                "{:?}, to {:.4}",
+                branch.end,
+                branch.points[count - 1].values[0] / start
+            ),
+            format!("{:.3}", most(&|point| point.angle)),
+            format!("{:.1e}", most(&|point| point.values[1].abs())),
+            branch.iterations,
+            milliseconds(median(times) / count as u32),
+        ]);
     }
 }

@@ -6,11 +6,15 @@
  * periodic, and its stability a matter of Floquet multipliers. Metres, newtons, kilograms,
  * seconds, radians.
  *
- *   stability [--grid N] [--speeds COUNT] [--damper NMS] [--weight G] [--out FILE]
+ *   stability [--grid N] [--speeds COUNT] [--damper NMS] [--weight G] [--out FILE] [--chart FILE]
  *
  * FILE gets speeds, rates of growth and frequencies of the five pairs of modes; plot it by
  *
  *   script/plot.py --group FILE IMAGE
+ *
+ * The chart has the exponents with what the blades do in each mode, in one call; plot it by
+ *
+ *   script/plot.py FILE IMAGE
  */
 
 #include <math.h>
@@ -22,8 +26,8 @@ enum { BLADES = 3, MODES = 5 };
 static const double PI = 3.14159265358979323846;
 static const double SLOWEST = 3, FASTEST = 20; /* rad/s */
 
-/* A rotor that turns at this speed; NULL if it cannot be built. */
-static pdn_model *rotor(double speed, double lag_damper, double weight)
+/* A rotor that turns at this speed, and its blades; NULL if it cannot be built. */
+static pdn_model *rotor(double speed, double lag_damper, double weight, int32_t blades[BLADES])
 {
     const double centre[3] = {0, 0, 0}, shaft[3] = {0, 0, 1}, gravity[3] = {0, -weight, 0};
     const double ball[9] = {0.1, 0, 0, 0, 0.1, 0, 0, 0, 0.1};
@@ -43,9 +47,9 @@ static pdn_model *rotor(double speed, double lag_damper, double weight)
         const double azimuth = 2 * PI * k / BLADES;
         const double hinge[3] = {hinge_at * cos(azimuth), hinge_at * sin(azimuth), 0};
         const double mass[3] = {mass_at * cos(azimuth), mass_at * sin(azimuth), 0};
-        int32_t blade, lag;
-        TRY(pdn_model_add_rigid_body(model, 1, mass, ball, &blade));
-        TRY(pdn_model_add_revolute(model, hub, blade, hinge, shaft, &lag));
+        int32_t *const blade = &blades[k], lag;
+        TRY(pdn_model_add_rigid_body(model, 1, mass, ball, blade));
+        TRY(pdn_model_add_revolute(model, hub, *blade, hinge, shaft, &lag));
         TRY(pdn_model_add_spring_damper(model, lag, PDN_ROTATION, 25, lag_damper, 0, NULL));
     }
     TRY(pdn_model_set_gravity(model, gravity));
@@ -80,13 +84,33 @@ static int modes_of(const pdn_stability *stability, double growth[MODES], double
     return found;
 }
 
+/* Writes the chart of exponents over the speed, at so many speeds or a few more; 0 if it worked. */
+static int write_chart(const char *path, const pdn_model *model, const int32_t blades[BLADES],
+                       size_t speeds)
+{
+    int failed = 1;
+    pdn_branch *branch = NULL;
+    pdn_branch_options options;
+    PDN_INIT(pdn_branch_options, &options);
+    options.largest_step = 1 / (double)(speeds > 1 ? speeds - 1 : 1);
+    options.first_step = options.largest_step;
+    TRY(pdn_solve_frequency_response(model, SLOWEST, FASTEST, &options, &branch));
+    TRY(pdn_branch_write_campbell(branch, NULL, blades, BLADES, path));
+    failed = 0;
+done:
+    pdn_branch_free(branch);
+    return failed;
+}
+
 int main(int argc, char **argv)
 {
-    check_options(argc, argv, "--grid --speeds --damper --weight --out");
+    check_options(argc, argv, "--grid --speeds --damper --weight --out --chart");
     const size_t grid = option_count(argc, argv, "--grid", 0); /* 0: as many as needed */
     const size_t speeds = option_count(argc, argv, "--speeds", 35);
     const double damper = option_number(argc, argv, "--damper", 0.6);
     const double weight = option_number(argc, argv, "--weight", 9.81); /* 0: the plane is level */
+    const char *chart = option_text(argc, argv, "--chart", NULL);
+    int32_t blades[BLADES];
     FILE *file = open_out(argc, argv);
     int failed = 1;
     pdn_model *model = NULL;
@@ -109,7 +133,7 @@ int main(int argc, char **argv)
         pdn_periodic_options options;
         PDN_INIT(pdn_periodic_options, &options);
         options.grid_points = grid;
-        if (!(model = rotor(speed, damper, weight))) {
+        if (!(model = rotor(speed, damper, weight, blades))) {
             goto done;
         }
         TRY(pdn_solve_periodic(model, 2 * PI / speed, &options, &solution));
@@ -150,6 +174,10 @@ int main(int argc, char **argv)
     }
     if (file) {
         fputs("\n", file);
+    }
+    if (chart && (!(model = rotor(SLOWEST, damper, weight, blades)) ||
+                  write_chart(chart, model, blades, speeds))) {
+        goto done;
     }
     failed = 0;
 

@@ -3876,6 +3876,7 @@ module periodyn
         procedure, public :: get => branch_get
         procedure, public :: solution => branch_solution
         procedure, public :: write_csv => branch_write_csv
+        procedure, public :: write_campbell => branch_write_campbell
         procedure, public :: switch => branch_switch
         procedure, public :: follow_locus => branch_follow_locus
         procedure, public :: continue => branch_continue
@@ -7052,6 +7053,22 @@ contains
         if (present(quantities)) count = size(quantities, kind=c_size_t)
         call report(pdn_branch_write_csv(self%c, quantities, count, c_text(path)), stat, errmsg)
     end subroutine branch_write_csv
+
+    ! Exponents along the branch, with what moves in them; blades are a node of each of the equal parts of a rotor, one
+    ! after the other around it.
+    subroutine branch_write_campbell(self, path, blades, options, stat, errmsg)
+        class(pdn_branch), intent(in) :: self
+        character(*), intent(in) :: path
+        integer(c_int32_t), intent(in), optional :: blades(:)
+        type(pdn_stability_options), intent(in), optional :: options
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
+
+        count = 0
+        if (present(blades)) count = size(blades, kind=c_size_t)
+        call report(pdn_branch_write_campbell(self%c, options, blades, count, c_text(path)), stat, errmsg)
+    end subroutine branch_write_campbell
 
     ! The other branch from a branch point or a period doubling on. Options of the solves and conditions take the place
     ! of the pointers of the options.

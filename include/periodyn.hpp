@@ -2756,6 +2756,14 @@ class Branch
         const std::vector<pdn_quantity> plain(quantities.begin(), quantities.end());
         detail::check(pdn_branch_write_csv(get(), plain.data(), plain.size(), path.c_str()));
     }
+    /** Exponents along the branch, with what moves in them; blades are a node of each of the equal
+     * parts of a rotor, one after the other around it. */
+    void write_campbell(const std::string &path, const std::vector<std::int32_t> &blades = {},
+                        const pdn_stability_options *options = nullptr) const
+    {
+        detail::check(pdn_branch_write_campbell(get(), options, blades.data(), blades.size(),
+                                                path.c_str()));
+    }
     /** Saves the branch with its model, for load. */
     void save(const std::string &path) const
     {

@@ -10,6 +10,11 @@ Names of the columns are the labels; all files must have the same. With --group,
 same name but for a number at its end share a panel, and are drawn as points:
 
     script/plot.py --group output/stability.csv output/stability.png
+
+Charts of exponents along a branch, which have a column "content", are drawn as points, by what
+moves in each mode; over a frequency with lines of its multiples:
+
+    script/plot.py output/chart.csv output/chart.png
 """
 
 import argparse
@@ -25,6 +30,7 @@ import matplotlib.pyplot as plt
 STEPS = {"slope", "step", "angle", "grid_points", "outside", "largest_multiplier"}
 # Distinct also in grey and to the colour-blind (Okabe and Ito's colours).
 STYLES = [("#0072B2", "-"), ("#D55E00", "--"), ("#009E73", "-."), ("#CC79A7", ":")]
+MARKERS = ["o", "^", "v", "s", "D", "P", "X"]
 
 
 def read_columns(path):
@@ -51,6 +57,66 @@ def read_columns(path):
             names.append(name)
             columns.append([float(text) for text in column])
     return names, columns, events, stability
+
+
+def read_chart(path):
+    """Lines of a chart of exponents as dictionaries, and the parameter's name; None of others."""
+    with open(path, newline="") as file:
+        rows = list(csv.reader(file))
+    if not rows or not {"content", "growth", "frequency_from_ground"} <= set(rows[0]):
+        return None
+    if len(rows) < 2:
+        raise ValueError(f"{path}: expected lines of exponents behind that of names")
+    names = ["parameter", *rows[0][1:]]
+    lines = []
+    for number, row in enumerate(rows[1:], start=2):
+        if len(row) != len(names):
+            raise ValueError(
+                f"{path}, line {number}: expected {len(names)} columns, got {len(row)}"
+            )
+        line = dict(zip(names, row))
+        lines.append({name: text if name == "content" else float(text)
+                      for name, text in line.items()})
+    return lines, rows[0][0]
+
+
+def draw_chart(lines, parameter, image):
+    """Draws frequencies, from the ground, and rates of growth over the parameter."""
+    figure, axes = plt.subplots(2, 1, figsize=(7.2, 6.4), sharex=True, layout="constrained",
+                                height_ratios=[3, 2])
+    contents = sorted({line["content"] for line in lines})
+    for i, content in enumerate(contents):
+        of_it = [line for line in lines if line["content"] == content]
+        # Those that grow are filled.
+        for grows in (True, False):
+            some = [line for line in of_it if (line["growth"] > 0) == grows]
+            colour = STYLES[i % len(STYLES)][0]
+            style = {"linestyle": "", "marker": MARKERS[i % len(MARKERS)], "markersize": 4.5,
+                     "color": colour, "markerfacecolor": colour if grows else "none"}
+            for axis, name in zip(axes, ("frequency_from_ground", "growth")):
+                axis.plot([line["parameter"] for line in some], [line[name] for line in some],
+                          **style)
+        axes[0].plot([], [], linestyle="", marker=MARKERS[i % len(MARKERS)], markersize=4.5,
+                     color=STYLES[i % len(STYLES)][0], markerfacecolor="none", label=content)
+    values = [line["parameter"] for line in lines]
+    top = max(line["frequency_from_ground"] for line in lines)
+    ends = [min(values), max(values)]
+    if parameter == "frequency":
+        multiple = 1
+        while multiple * ends[0] < top and multiple <= 6:
+            axes[0].plot(ends, [multiple * end for end in ends], color="#b0b0b0", linewidth=0.8)
+            multiple += 1
+        axes[0].set_ylim(0, 1.05 * top)
+    axes[1].axhline(0, color="#808080", linewidth=0.8)
+    for axis, title in zip(axes, ("frequency from the ground", "rate of growth")):
+        axis.set_title(title, loc="left", fontsize=10.5)
+        axis.grid(True, color="#e4e4e4", linewidth=0.8)
+        axis.spines[["top", "right"]].set_visible(False)
+    axes[1].set_xlabel(parameter)
+    axes[0].legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=len(contents), frameon=False,
+                   fontsize=8.5)
+    figure.savefig(image, dpi=160)
+    plt.close(figure)
 
 
 def panels_of(names, group):
@@ -123,6 +189,11 @@ def main():
     arguments = parser.parse_args()
     if len(arguments.csv) > len(STYLES):
         parser.error(f"at most {len(STYLES)} CSV files")
+    chart = read_chart(arguments.csv[0]) if len(arguments.csv) == 1 else None
+    if chart:
+        draw_chart(*chart, arguments.image)
+        print(f"wrote {arguments.image}")
+        return
     draw({path.stem: read_columns(path) for path in arguments.csv}, arguments.image,
          arguments.group)
     print(f"wrote {arguments.image}")

@@ -10,7 +10,10 @@ use super::options::Options;
 use super::periodic::{pdn_periodic_options, read_options};
 use super::quantity::{pdn_quantity, selections};
 use super::solution::pdn_solution;
-use super::stability::{PDN_STABILITY_NOT_KNOWN, verdict_code};
+use super::stability::{
+    PDN_STABILITY_NOT_KNOWN, core_options as core_stability_options, pdn_stability_options,
+    verdict_code,
+};
 use super::status::pdn_status;
 use crate::error::{Error, Result};
 use crate::model::{Labels, Model};
@@ -443,7 +446,7 @@ pub unsafe extern "C" fn pdn_switch_branch(
 ///     branch; where solves start is not used; not NULL
 /// @param out  the points; free them with ::pdn_branch_free; written on success only
 /// @return as ::pdn_follow_branch; PDN_ERR_ID (there is no such point), PDN_ERR_NOT_AVAILABLE
-///     (nothing happens there, a branch point, or a fold under conditions)
+///     (nothing happens there, or a branch point)
 ///
 /// Threads: like a `const` use of `branch` and of what `options` points to. Functions of yours are
 /// called on this thread.
@@ -705,5 +708,52 @@ pub unsafe extern "C" fn pdn_branch_write_csv(
         let branch = call.shared(branch, "branch")?;
         let outputs = selections(call, quantities, count)?;
         branch.write_csv(Path::new(call.text(path, "path")?), &outputs)
+    })
+}
+
+/// Writes a chart of the exponents of small disturbances along a branch as CSV, as of Campbell: of
+/// each point that is no event a line for each multiplier, but for conjugates and for those that
+/// only move the motion in time or space. `script/plot.py` draws it.
+///
+/// A line has the parameter, the period, the rate of growth (real part of mu), the angular
+/// frequency of the mode in its nodes' own axes and from the ground, the size of the multiplier,
+/// the estimated error of that, and what moves: of a rotor with equal parts the pattern that is
+/// largest, and its share of their motions. It is `collective`, `alternating` (each part against
+/// its neighbours), or a number of nodal diameters, `progressive` where the pattern goes around in
+/// the sense of the rotation, `regressive` where against it, seen from the parts, or `standing`.
+/// Where no parts are named, or these hardly move, it is the node that moves most.
+///
+/// @param branch  the branch; not NULL
+/// @param options  may be NULL for the defaults
+/// @param blades  array of length [count]: ids of nodes, one of each of the equal parts, the same
+///     on all of them, one after the other around the rotor; may be NULL if count is 0
+/// @param count  number of parts: 0, or at least 2
+/// @param path  name of the file, UTF-8; an existing file is replaced
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID,
+///     PDN_ERR_SIZE (one part), PDN_ERR_VALUE (parts that are not around an axis, or twice there),
+///     PDN_ERR_NOT_AVAILABLE (there are no points; cancelled), PDN_ERR_GRID_TOO_COARSE,
+///     PDN_ERR_CALLBACK, PDN_ERR_MEMORY, PDN_ERR_IO
+///
+/// Threads: like `const`. Functions of the model and `options.progress` are called on this thread.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_branch_write_campbell(
+    branch: *const pdn_branch,
+    options: *const pdn_stability_options,
+    blades: *const i32,
+    count: usize,
+    path: *const c_char,
+) -> pdn_status {
+    guard(|call| {
+        let branch = call.shared(branch, "branch")?;
+        let options = core_stability_options(call, &call.options(options, "options")?)?;
+        let total = branch.model().node_count();
+        let blades = call.slice(blades, count, "blades")?.iter().enumerate();
+        let blades = blades.map(|(k, &node)| {
+            let name = format!("blades[{k}]");
+            index(node, total, &name, "a node id")
+        });
+        let blades = blades.collect::<Result<Vec<_>>>()?;
+        branch.write_campbell(Path::new(call.text(path, "path")?), &options, &blades)
     })
 }

@@ -1,5 +1,6 @@
 //! Stability of periodic solutions.
 
+use super::call::Call;
 use super::guard::{free, guard, guard_or, init};
 use super::handle::Handle;
 use super::last_error::copy_message;
@@ -8,6 +9,7 @@ use super::options::Options;
 use super::periodic::{PROGRESS_INTERVAL, pdn_progress_fn, watch};
 use super::solution::{outcome_code, pdn_solution};
 use super::status::pdn_status;
+use crate::error::Result;
 use crate::solve::{Stability, StabilityOptions, Verdict};
 use libc::{c_char, c_void};
 
@@ -70,6 +72,17 @@ unsafe impl Options for pdn_stability_options {
     }
 }
 
+/// What options ask for.
+pub(super) fn core_options(call: &Call, given: &pdn_stability_options) -> Result<StabilityOptions> {
+    let highest = call.number(given.highest_frequency, "options.highest_frequency")?;
+    Ok(StabilityOptions {
+        highest_frequency: (highest != 0.0).then_some(highest),
+        tolerance: call.number(given.tolerance, "options.tolerance")?,
+        watch: watch(given.progress, given.progress_data, PROGRESS_INTERVAL)?,
+        ..StabilityOptions::default()
+    })
+}
+
 /// Sets default options; use `PDN_INIT(pdn_stability_options, &options)`.
 ///
 /// @param options  the options; not NULL
@@ -112,16 +125,8 @@ pub unsafe extern "C" fn pdn_solve_stability(
 ) -> pdn_status {
     guard(|call| {
         let solution = call.shared(solution, "solution")?;
-        let given = call.options(options, "options")?;
-        let name = "options.highest_frequency";
-        let highest = call.number(given.highest_frequency, name)?;
+        let options = core_options(call, &call.options(options, "options")?)?;
         let out = call.out(out, "out")?;
-        let options = StabilityOptions {
-            highest_frequency: (highest != 0.0).then_some(highest),
-            tolerance: call.number(given.tolerance, "options.tolerance")?,
-            watch: watch(given.progress, given.progress_data, PROGRESS_INTERVAL)?,
-            ..StabilityOptions::default()
-        };
         out.give(solution.solve_stability(&options)?);
         Ok(())
     })

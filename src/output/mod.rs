@@ -2,10 +2,12 @@
 //! estimates.
 
 mod branch;
+mod campbell;
 mod diagnostics;
 mod file;
 mod force;
 mod modes;
+mod nodal_content;
 mod other_mesh;
 mod poly_data;
 mod quantities;
@@ -27,5 +29,6 @@ pub use crate::quantity::{
 };
 pub use diagnostics::Diagnostics;
 pub use modes::Modes;
+pub use nodal_content::{NodalContent, Whirl};
 pub use solution::Solution;
 pub use table::Table;

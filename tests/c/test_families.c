@@ -246,6 +246,16 @@ static void frequency_response(void)
     outputs[1].struct_size -= 8;
     CHECK_STATUS(pdn_branch_write_csv(branch, outputs, 2, "test_families.csv"),
                  PDN_ERR_STRUCT_SIZE);
+    const int32_t blades[2] = {body, body}, none[2] = {body, 99};
+    const char *path = "test_families.csv";
+    CHECK_STATUS(pdn_branch_write_campbell(branch, NULL, NULL, 0, path), PDN_OK);
+    CHECK_STATUS(pdn_branch_write_campbell(branch, NULL, NULL, 1, path), PDN_ERR_NULL);
+    CHECK_STATUS(pdn_branch_write_campbell(branch, NULL, blades, 1, path), PDN_ERR_SIZE);
+    CHECK_MESSAGE("blades: ");
+    CHECK_STATUS(pdn_branch_write_campbell(branch, NULL, blades, 2, path), PDN_ERR_VALUE);
+    CHECK_STATUS(pdn_branch_write_campbell(branch, NULL, none, 2, path), PDN_ERR_ID);
+    CHECK_MESSAGE("blades[1]: ");
+    CHECK_STATUS(pdn_branch_write_campbell(branch, NULL, NULL, 0, NULL), PDN_ERR_NULL);
     pdn_branch_free(branch);
 
     /* Downwards, and ended by the caller. */

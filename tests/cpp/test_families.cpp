@@ -71,6 +71,8 @@ void response_over_frequencies()
     branch.write_csv("test_families_cpp.csv", {{pdn::Kind::position, o.body}, o.angle()});
     REFUSED(branch.write_csv("x.csv", {{pdn::Kind(99), o.body}}), PDN_ERR_VALUE,
             "quantities[0]: ");
+    branch.write_campbell("test_families_cpp.csv");
+    REFUSED(branch.write_campbell("x.csv", {o.body}), PDN_ERR_SIZE, "blades: ");
 
     // Saved, loaded, and followed on.
     branch.save("test_families_cpp.pdb");

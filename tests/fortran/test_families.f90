@@ -110,6 +110,9 @@ contains
         position%kind = 99
         call branch%write_csv('test_families.csv', [position], stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_VALUE, 'quantities[0]: ')
+        call branch%write_campbell('test_families.csv')
+        call branch%write_campbell('test_families.csv', [body], stat=stat, errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_SIZE, 'blades: ')
 
         ! Saved, loaded, and followed on.
         call branch%save('test_families.pdb')

@@ -3,7 +3,7 @@
 use super::parts::*;
 use nalgebra::{Matrix3, Vector3};
 use periodyn::elements::JointKind;
-use periodyn::model::{Model, SectionInput, Signal};
+use periodyn::model::{Model, SectionInput, Signal, Target};
 use periodyn::motion::Motion;
 use std::f64::consts::TAU;
 
@@ -49,6 +49,31 @@ pub fn shaken_rod(force: f64, elements: usize, degree: usize) -> (Model, f64) {
     gravity(&mut model, [0.0, 0.0, -9.81]);
     push(&mut model, tip, 2, cosine(force));
     (model, 0.3)
+}
+
+/// The strip of `c_examples/backbone.c`, clamped at one end, without load and damping, and the
+/// parameter that is a damping in proportion to mass, zero.
+pub fn free_strip(elements: usize, degree: usize) -> (Model, usize) {
+    let (young, shear, density) = (2.1e11, 8.1e10, 7850.0);
+    let (width, height): (f64, f64) = (0.02, 0.002);
+    let area = width * height;
+    let (thin, wide) = (area * height.powi(2) / 12.0, area * width.powi(2) / 12.0);
+    let sheared = shear * area * 5.0 / 6.0;
+    let stiffness = [
+        young * area,
+        sheared,
+        sheared,
+        4.0 * shear * thin,
+        young * wide,
+        young * thin,
+    ];
+    let mass = [area, thin + wide, wide, thin].map(|x| density * x);
+    let section = SectionInput::diagonal(&stiffness, &mass).unwrap();
+    let (mut model, _) = cantilever(&section, elements, degree);
+    let damping = model.add_parameter("damping", 0.0, 1.0).unwrap();
+    let target = Target::MassDamping;
+    model.move_by_parameter(damping, target, 1.0).unwrap();
+    (model, damping)
 }
 
 /// A steel strip of 1 m, all of whose strains are damped by `seconds` times the stiffness, and its

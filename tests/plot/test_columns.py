@@ -33,6 +33,21 @@ class Columns(unittest.TestCase):
         plot.draw(files, image)
         self.assertEqual(image.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
 
+    def test_draws_charts_of_exponents(self):
+        names = "frequency,period,growth,mode_frequency,frequency_from_ground,multiplier,error,"
+        lines = ["3,2,-0.1,5,8,0.8,0,1,diameter 1 progressive", "4,1.6,0.2,5,9,1.3,0,0.9,node 1"]
+        path = self.written("\n".join([names + "share,content", *lines]) + "\n")
+        chart, parameter = plot.read_chart(path)
+        self.assertEqual((parameter, len(chart)), ("frequency", 2))
+        self.assertEqual(chart[1]["content"], "node 1")
+        self.assertEqual([line["frequency_from_ground"] for line in chart], [8, 9])
+        image = self.directory / "chart.png"
+        plot.draw_chart(chart, parameter, image)
+        self.assertEqual(image.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertIsNone(plot.read_chart(self.written("t,x\n0,2\n1,3\n")))
+        with self.assertRaisesRegex(ValueError, "expected 9 columns, got 2"):
+            plot.read_chart(self.written(names + "share,content\n1,2\n"))
+
     def test_reads_names_and_numbers(self):
         self.assertEqual(
             plot.read_columns(self.written("t,x\n0,2\n1,3\n")),

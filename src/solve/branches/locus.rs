@@ -23,7 +23,8 @@ use std::sync::Arc;
 /// then those that are free beside it, that of the branch last.
 ///
 /// # Errors
-/// [`ErrorKind::NotAvailable`] if there is no such event, or if it is a branch point; else as [`follow_branch`](super::follow_branch).
+/// [`ErrorKind::NotAvailable`] if there is no such event, or if it is a branch point; else as
+/// [`follow_branch`](super::follow_branch).
 pub fn follow_locus(
     branch: &Branch,
     index: usize,
@@ -70,8 +71,8 @@ fn event_at(point: &BranchPoint, index: usize) -> Result<Event> {
     }
 }
 
-/// The direction of a branch at a point, about: from one neighbour to another on the same grid. None
-/// if there are no such.
+/// The direction of a branch at a point, about: from one neighbour to another on the same grid.
+/// None if there are no such.
 fn beside(branch: &Branch, index: usize, walk: &Walk) -> Option<Vec<f64>> {
     let grid = branch.points[index].grid.points();
     let [first, last] = [index.saturating_sub(1), index + 1].map(|i| branch.points.get(i));

@@ -1,5 +1,5 @@
-//! Folds under conditions, as a scalar equation (docs/theory.md, section 13.7): the equations of the
-//! grid are singular all along such a branch, those with its conditions at folds alone.
+//! Folds under conditions, as a scalar equation (docs/theory.md, section 13.7): the equations of
+//! the grid are singular all along such a branch, those with its conditions at folds alone.
 //!
 //! ```text
 //! σ = det [t₁ₚ t₂ₚ; t₁ᵩ t₂ᵩ]

@@ -92,8 +92,8 @@ pub(super) struct BodyCirculant {
 }
 
 impl BodyCirculant {
-    /// Averages and factors the Jacobian `tangent`, or its transpose. None if that cannot be done: a
-    /// body by itself is singular, or the system of the joints would take more than it may.
+    /// Averages and factors the Jacobian `tangent`, or its transpose. None if that cannot be done:
+    /// a body by itself is singular, or the system of the joints would take more than it may.
     ///
     /// # Errors
     /// If memory runs out.
@@ -233,9 +233,12 @@ impl BodyCirculant {
     /// `x = P⁻¹ x`, where the unknowns go on with `resultants`, if any are given.
     pub fn apply(&mut self, x: &mut [f64], resultants: &mut [f64]) {
         if !resultants.is_empty() && self.transposed {
+            let (rates, transform) = (&mut self.rates, &self.transform);
+            self.resultants.add_transposed(resultants, x, rates);
+            let (rates, frequency) = (&self.rates[..], self.frequency);
+            let spaces = &mut self.workspaces;
             self.resultants
-                .add_transposed(resultants, x, &mut self.rates);
-            self.subtract_slopes(x);
+                .subtract_slopes((rates, frequency), x, transform, spaces);
         } else if !resultants.is_empty() {
             self.resultants.add_forces(resultants, x);
         }
@@ -285,40 +288,6 @@ impl BodyCirculant {
         for rotation in &self.rotations {
             rotation.apply(x, true);
         }
-    }
-
-    /// Takes the derivatives of what is in `rates`, if resultants depend on them, from forces.
-    fn subtract_slopes(&mut self, x: &mut [f64]) {
-        if self.rates.is_empty() {
-            return;
-        }
-        let (points, frequency) = (self.points, self.frequency);
-        let (of_node, rates) = (self.unknowns.of_node(), &self.rates);
-        let motions = &mut x[..rates.len()];
-        let mut parts: Vec<_> = motions.chunks_mut(of_node).collect();
-        let new = || self.transform.clone();
-        self.workers.for_each(
-            &mut parts,
-            &mut self.workspaces,
-            new,
-            |transform, node, forces| {
-                let rates = &rates[node * of_node..][..of_node];
-                for component in 0..6 {
-                    let series = rates[component..].iter().step_by(6);
-                    transform.analysis.read(series.copied());
-                    let spectrum = transform.synthesis.spectrum.iter_mut();
-                    let harmonics = spectrum.zip(&transform.analysis.spectrum);
-                    for (j, (slope, value)) in harmonics.enumerate() {
-                        let rate = frequency * j as f64 / points as f64;
-                        *slope = value * Complex::new(0.0, rate);
-                    }
-                    let series = forces[component..].iter_mut().step_by(6);
-                    series
-                        .zip(transform.backward())
-                        .for_each(|(force, slope)| *force -= slope);
-                }
-            },
-        );
     }
 
     /// Derivatives of the motions, from their harmonics, and what the grid adds to them.

@@ -13,11 +13,12 @@
 //! with `B` and `L` averaged over time. They are worth their memory because averages of a bent
 //! beam's stiffness, `Bᵀ L`, would stretch it where it bends. See docs/theory.md, section 8.4.
 
+use super::body_circulant::Transform;
 use super::mean::MeanStrain;
 use crate::collocation::{Collocation, Station, Tangent};
 use crate::system::Layout;
 use crate::workers::Workers;
-use nalgebra::{Matrix6, Vector6};
+use nalgebra::{Complex, Matrix6, Vector6};
 
 /// Averaged `B` and `L`, scaled.
 pub(super) struct Resultants {
@@ -107,6 +108,36 @@ impl Resultants {
                 }
             });
         }
+    }
+
+    /// Takes the derivatives of the series in `rates`, if there are any, from forces.
+    pub fn subtract_slopes(
+        &self,
+        (rates, frequency): (&[f64], f64),
+        x: &mut [f64],
+        transform: &Transform,
+        workspaces: &mut Vec<Transform>,
+    ) {
+        let of_node = self.layout.of_node();
+        let scaled = frequency / (of_node / 6) as f64;
+        let mut parts: Vec<_> = x[..rates.len()].chunks_mut(of_node).collect();
+        let new = || transform.clone();
+        self.workers
+            .for_each(&mut parts, workspaces, new, |transform, node, forces| {
+                let rates = &rates[node * of_node..][..of_node];
+                for component in 0..6 {
+                    let series = rates[component..].iter().step_by(6);
+                    transform.analysis.read(series.copied());
+                    let spectrum = transform.synthesis.spectrum.iter_mut();
+                    let harmonics = spectrum.zip(&transform.analysis.spectrum);
+                    for (j, (slope, value)) in harmonics.enumerate() {
+                        *slope = value * Complex::new(0.0, scaled * j as f64);
+                    }
+                    let series = forces[component..].iter_mut().step_by(6);
+                    let slopes = series.zip(transform.backward());
+                    slopes.for_each(|(force, slope)| *force -= slope);
+                }
+            });
     }
 
     /// `r = B x − r`.
