@@ -602,6 +602,14 @@ module periodyn_c
         integer(c_int32_t) :: reserved
     end type pdn_branch_options
 
+    type, bind(C) :: pdn_stability_options
+        integer(c_size_t) :: struct_size = 0
+        real(c_double) :: highest_frequency
+        real(c_double) :: tolerance
+        type(c_funptr) :: progress = c_null_funptr
+        type(c_ptr) :: progress_data = c_null_ptr
+    end type pdn_stability_options
+
     type, bind(C) :: pdn_static_options
         integer(c_size_t) :: struct_size = 0
         real(c_double) :: time
@@ -683,14 +691,6 @@ module periodyn_c
         type(c_ptr) :: progress_data = c_null_ptr
         integer(c_size_t) :: memory_limit
     end type pdn_shooting_options
-
-    type, bind(C) :: pdn_stability_options
-        integer(c_size_t) :: struct_size = 0
-        real(c_double) :: highest_frequency
-        real(c_double) :: tolerance
-        type(c_funptr) :: progress = c_null_funptr
-        type(c_ptr) :: progress_data = c_null_ptr
-    end type pdn_stability_options
 
     type, bind(C) :: pdn_multiplier
         integer(c_size_t) :: struct_size = 0
@@ -3140,6 +3140,18 @@ module periodyn_c
             integer(c_int32_t) :: pdn_branch_write_csv
         end function pdn_branch_write_csv
 
+        ! Writes a chart of the exponents of small disturbances along a branch as CSV, as of Campbell: of each point ...
+        function pdn_branch_write_campbell(branch, options, blades, count, &
+            path) bind(C, name="pdn_branch_write_campbell")
+            import
+            type(c_ptr), value :: branch
+            type(pdn_stability_options), intent(in), optional :: options
+            integer(c_int32_t), intent(in), optional :: blades(*)
+            integer(c_size_t), value :: count
+            character(kind=c_char), intent(in) :: path(*)
+            integer(c_int32_t) :: pdn_branch_write_campbell
+        end function pdn_branch_write_campbell
+
         ! Sets default options; use `PDN_INIT(pdn_static_options, &options)`
         subroutine pdn_static_options_init(options, struct_size) bind(C, name="pdn_static_options_init")
             import
@@ -3788,6 +3800,8 @@ module periodyn
         procedure, public :: shell_element_count => model_shell_element_count
         procedure, public :: add_shell_load => model_add_shell_load
         procedure, public :: set_shell_prestress => model_set_shell_prestress
+        procedure, public :: add_rigid_joints => model_add_rigid_joints
+        procedure, public :: add_rigid_edge => model_add_rigid_edge
         procedure, public :: add_load => model_add_load
         procedure, public :: add_distributed_load => model_add_distributed_load
         procedure, public :: add_load_at_places => model_add_load_at_places
@@ -3805,6 +3819,7 @@ module periodyn
         procedure, public :: controller_counts => model_controller_counts
         procedure, public :: controller_coordinate => model_controller_coordinate
         procedure, public :: controller_state => model_controller_state
+        procedure, public :: add_surface_force => model_add_surface_force
         procedure, public :: check_tangents => model_check_tangents
         procedure, public :: add_parameter => model_add_parameter
         procedure, public :: set_parameter => model_set_parameter
@@ -5308,6 +5323,37 @@ contains
         call report(pdn_model_set_shell_prestress(self%c, first_element, elements, resultants), stat, errmsg)
     end subroutine model_set_shell_prestress
 
+    ! Fixes nodes to a body, by a rigid joint each; these follow each other from the first on.
+    subroutine model_add_rigid_joints(self, body, nodes, first_joint, joints, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: body, nodes(:)
+        integer(c_int32_t), intent(inout), optional :: first_joint, joints
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: first, count, status
+
+        status = pdn_model_add_rigid_joints(self%c, body, nodes, size(nodes, kind=c_size_t), first, count)
+        if (status == PDN_OK .and. present(first_joint)) first_joint = first
+        if (status == PDN_OK .and. present(joints)) joints = count
+        call report(status, stat, errmsg)
+    end subroutine model_add_rigid_joints
+
+    ! Fixes an edge of a shell over a surface or a grid to a body: rigid joints as of add_rigid_joints.
+    subroutine model_add_rigid_edge(self, body, shell, edge, first_joint, joints, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: body, edge
+        type(pdn_shell), intent(in) :: shell
+        integer(c_int32_t), intent(inout), optional :: first_joint, joints
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: first, count, status
+
+        status = pdn_model_add_rigid_edge(self%c, body, shell, edge, first, count)
+        if (status == PDN_OK .and. present(first_joint)) first_joint = first
+        if (status == PDN_OK .and. present(joints)) joints = count
+        call report(status, stat, errmsg)
+    end subroutine model_add_rigid_edge
+
     ! A component for each unit of area of shell elements, or of length of their edges.
     subroutine model_add_shell_load(self, first_element, elements, place, frame, component, signal, stat, errmsg)
         class(pdn_model), intent(inout) :: self
@@ -5520,6 +5566,28 @@ contains
         call report(pdn_model_add_user_force(self%c, nodes, size(nodes, kind=c_size_t), frame, tangents, &
             c_funloc(forces), data, dispose, force), stat, errmsg)
     end subroutine model_add_user_force
+
+    ! Forces on shell elements that the caller computes, one for each from first_force on.
+    subroutine model_add_surface_force(self, first_element, elements, place, frame, tangents, forces, user_data, &
+            destroy, first_force, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first_element, elements, place, frame, tangents
+        procedure(pdn_surface_force_fn) :: forces
+        type(c_ptr), intent(in), optional :: user_data
+        procedure(pdn_destroy_fn), optional :: destroy
+        integer(c_int32_t), intent(inout), optional :: first_force
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: data
+        type(c_funptr) :: dispose
+
+        data = c_null_ptr
+        if (present(user_data)) data = user_data
+        dispose = c_null_funptr
+        if (present(destroy)) dispose = c_funloc(destroy)
+        call report(pdn_model_add_surface_force(self%c, first_element, elements, place, frame, tangents, &
+            c_funloc(forces), data, dispose, first_force), stat, errmsg)
+    end subroutine model_add_surface_force
 
     ! Efforts on coordinates by the caller's law of coordinates, rates and states; without `initial` and
     ! `sizes` it has no states.

@@ -2940,6 +2940,35 @@ typedef struct pdn_branch_options {
 } pdn_branch_options;
 
 /**
+ * Options of ::pdn_solve_stability. Set the defaults by `PDN_INIT(pdn_stability_options,
+ * &options)`.
+ */
+typedef struct pdn_stability_options {
+    /**
+     * Set by the initialiser.
+     */
+    size_t struct_size;
+    /**
+     * Modes of up to this angular frequency matter \[angle/time\]; 0 for 20 times that of the
+     * period. Default 0.
+     */
+    double highest_frequency;
+    /**
+     * Estimated error of the multipliers of these modes, in units of 1 or of the multiplier where
+     * that is more. Default 1e-8.
+     */
+    double tolerance;
+    /**
+     * Told about ten times a second that work goes on; may cancel. Default NULL.
+     */
+    pdn_progress_fn progress;
+    /**
+     * Handed to progress.
+     */
+    void *progress_data;
+} pdn_stability_options;
+
+/**
  * Options of ::pdn_solve_static. Set the defaults by `PDN_INIT(pdn_static_options, &options)`.
  */
 typedef struct pdn_static_options {
@@ -3273,35 +3302,6 @@ typedef struct pdn_shooting_options {
      */
     size_t memory_limit;
 } pdn_shooting_options;
-
-/**
- * Options of ::pdn_solve_stability. Set the defaults by `PDN_INIT(pdn_stability_options,
- * &options)`.
- */
-typedef struct pdn_stability_options {
-    /**
-     * Set by the initialiser.
-     */
-    size_t struct_size;
-    /**
-     * Modes of up to this angular frequency matter \[angle/time\]; 0 for 20 times that of the
-     * period. Default 0.
-     */
-    double highest_frequency;
-    /**
-     * Estimated error of the multipliers of these modes, in units of 1 or of the multiplier where
-     * that is more. Default 1e-8.
-     */
-    double tolerance;
-    /**
-     * Told about ten times a second that work goes on; may cancel. Default NULL.
-     */
-    pdn_progress_fn progress;
-    /**
-     * Handed to progress.
-     */
-    void *progress_data;
-} pdn_stability_options;
 
 /**
  * A disturbance `exp(mu t) phi(t)` of a periodic solution, where phi has its period. Initialise
@@ -7930,7 +7930,7 @@ pdn_status pdn_switch_branch(const struct pdn_branch *branch,
  *     branch; where solves start is not used; not NULL
  * @param out  the points; free them with ::pdn_branch_free; written on success only
  * @return as ::pdn_follow_branch; PDN_ERR_ID (there is no such point), PDN_ERR_NOT_AVAILABLE
- *     (nothing happens there, a branch point, or a fold under conditions)
+ *     (nothing happens there, or a branch point)
  *
  * Threads: like a `const` use of `branch` and of what `options` points to. Functions of yours are
  * called on this thread.
@@ -8109,6 +8109,40 @@ pdn_status pdn_branch_write_csv(const struct pdn_branch *branch,
                                 const struct pdn_quantity *quantities,
                                 size_t count,
                                 const char *path);
+
+/**
+ * Writes a chart of the exponents of small disturbances along a branch as CSV, as of Campbell: of
+ * each point that is no event a line for each multiplier, but for conjugates and for those that
+ * only move the motion in time or space. `script/plot.py` draws it.
+ *
+ * A line has the parameter, the period, the rate of growth (real part of mu), the angular
+ * frequency of the mode in its nodes' own axes and from the ground, the size of the multiplier,
+ * the estimated error of that, and what moves: of a rotor with equal parts the pattern that is
+ * largest, and its share of their motions. It is `collective`, `alternating` (each part against
+ * its neighbours), or a number of nodal diameters, `progressive` where the pattern goes around in
+ * the sense of the rotation, `regressive` where against it, seen from the parts, or `standing`.
+ * Where no parts are named, or these hardly move, it is the node that moves most.
+ *
+ * @param branch  the branch; not NULL
+ * @param options  may be NULL for the defaults
+ * @param blades  array of length [count]: ids of nodes, one of each of the equal parts, the same
+ *     on all of them, one after the other around the rotor; may be NULL if count is 0
+ * @param count  number of parts: 0, or at least 2
+ * @param path  name of the file, UTF-8; an existing file is replaced
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID,
+ *     PDN_ERR_SIZE (one part), PDN_ERR_VALUE (parts that are not around an axis, or twice there),
+ *     PDN_ERR_NOT_AVAILABLE (there are no points; cancelled), PDN_ERR_GRID_TOO_COARSE,
+ *     PDN_ERR_CALLBACK, PDN_ERR_MEMORY, PDN_ERR_IO
+ *
+ * Threads: like `const`. Functions of the model and `options.progress` are called on this thread.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_branch_write_campbell(const struct pdn_branch *branch,
+                                     const struct pdn_stability_options *options,
+                                     const int32_t *blades,
+                                     size_t count,
+                                     const char *path);
 
 /**
  * Sets default options; use `PDN_INIT(pdn_static_options, &options)`.

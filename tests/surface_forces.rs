@@ -133,7 +133,7 @@ fn a_fluid_that_resists_in_proportion_to_mass_damps_all_modes_alike() {
             for (force, velocity) in out.forces.iter_mut().zip(state.velocities) {
                 *force = factors.component_mul(velocity);
             }
-            if let Some((_, by_velocity)) = &mut out.tangents {
+            if let Some([_, by_velocity]) = &mut out.tangents {
                 by_velocity.fill(Matrix6::from_diagonal(&factors));
             }
             Ok(())
@@ -197,7 +197,7 @@ fn drag_on_a_plate_that_swings_widely_is_its_closed_form() {
             let v: Vector3<f64> = velocity.fixed_rows::<3>(0).into();
             let force = n * (-c * n.dot(&v));
             out.forces[k].fixed_rows_mut::<3>(0).copy_from(&force);
-            if let Some((by_motion, by_velocity)) = &mut out.tangents {
+            if let Some([by_motion, by_velocity]) = &mut out.tangents {
                 // n turns with the point.
                 let turn = -periodyn::motion::skew(&n);
                 let by_n = (Matrix3::identity() * n.dot(&v) + n * v.transpose()) * -c;
@@ -261,7 +261,7 @@ fn newton_converges_quadratically_with_drag() {
             for (k, velocity) in state.velocities.iter().enumerate() {
                 let v = velocity[2];
                 out.forces[k][2] = -FACTOR * v * v * v;
-                if let Some((_, by_velocity)) = &mut out.tangents {
+                if let Some([_, by_velocity]) = &mut out.tangents {
                     by_velocity[k][(2, 2)] = -3.0 * FACTOR * v * v;
                 }
             }
@@ -331,7 +331,7 @@ fn what_cannot_be_is_refused() {
         "{message}"
     );
     let (kind, message) = solve(law(follower, true, |_, out| {
-        if let Some((_, by_velocity)) = &mut out.tangents {
+        if let Some([_, by_velocity]) = &mut out.tangents {
             by_velocity[0][(2, 4)] = f64::INFINITY;
         }
         Ok(())

@@ -1615,6 +1615,23 @@ class BranchOptions(Struct):
     """1 to find the multipliers of each point, and with them torus points. Default 0."""
 
 
+class StabilityOptions(Struct):
+    """Options of Solution.solve_stability. Set the defaults by `StabilityOptions()`."""
+
+    _type = "pdn_stability_options"
+    _initialise = lib.pdn_stability_options_init
+    highest_frequency = Number("highest_frequency")
+    """Modes of up to this angular frequency matter [angle/time]; 0 for 20 times that of the
+    period. Default 0.
+    """
+    tolerance = Number("tolerance")
+    """Estimated error of the multipliers of these modes, in units of 1 or of the multiplier where
+    that is more. Default 1e-8.
+    """
+    progress = Reference("progress", _callbacks.progress, "progress_data")
+    """Told about ten times a second that work goes on; may cancel. Default None."""
+
+
 class StaticOptions(Struct):
     """Options of Model.solve_static. Set the defaults by `StaticOptions()`."""
 
@@ -1837,23 +1854,6 @@ class ShootingOptions(Struct):
     would take more is ERR_MEMORY, and the message tells the estimate. 0 for no limit but that
     of the system. Default 0.
     """
-
-
-class StabilityOptions(Struct):
-    """Options of Solution.solve_stability. Set the defaults by `StabilityOptions()`."""
-
-    _type = "pdn_stability_options"
-    _initialise = lib.pdn_stability_options_init
-    highest_frequency = Number("highest_frequency")
-    """Modes of up to this angular frequency matter [angle/time]; 0 for 20 times that of the
-    period. Default 0.
-    """
-    tolerance = Number("tolerance")
-    """Estimated error of the multipliers of these modes, in units of 1 or of the multiplier where
-    that is more. Default 1e-8.
-    """
-    progress = Reference("progress", _callbacks.progress, "progress_data")
-    """Told about ten times a second that work goes on; may cancel. Default None."""
 
 
 class Multiplier(Struct):
@@ -2235,6 +2235,54 @@ class Branch(BranchExtras):
         """
         quantities, _count = as_structs("Quantity", quantities or [], self._kept)
         call(lib.pdn_branch_write_csv, self._c, quantities, _count, text(path))
+
+    def write_campbell(
+        self,
+        path,
+        blades=None,
+        *,
+        highest_frequency=None,
+        tolerance=None,
+        progress=None,
+    ):
+        """Writes a chart of the exponents of small disturbances along a branch as CSV, as of
+        Campbell: of each point that is no event a line for each multiplier, but for conjugates
+        and for those that only move the motion in time or space. `script/plot.py` draws it.
+
+        A line has the parameter, the period, the rate of growth (real part of mu), the angular
+        frequency of the mode in its nodes' own axes and from the ground, the size of the
+        multiplier, the estimated error of that, and what moves: of a rotor with equal parts the
+        pattern that is largest, and its share of their motions. It is `collective`,
+        `alternating` (each part against its neighbours), or a number of nodal diameters,
+        `progressive` where the pattern goes around in the sense of the rotation, `regressive`
+        where against it, seen from the parts, or `standing`. Where no parts are named, or these
+        hardly move, it is the node that moves most.
+
+        Args:
+            highest_frequency: Modes of up to this angular frequency matter [angle/time]; 0 for
+                20 times that of the period. Default 0.
+            tolerance: Estimated error of the multipliers of these modes, in units of 1 or of
+                the multiplier where that is more. Default 1e-8.
+            progress: Told about ten times a second that work goes on; may cancel. Default None.
+            blades: ids of nodes, one of each of the equal parts, the same on all of them, one
+                after the other around the rotor
+            path: name of the file, UTF-8; an existing file is replaced
+        """
+        options = StabilityOptions(
+            highest_frequency=highest_frequency,
+            tolerance=tolerance,
+            progress=progress,
+        )
+        blades = ids("blades", blades)
+        _count = len(blades)
+        call(
+            lib.pdn_branch_write_campbell,
+            self._c,
+            options._c,
+            ffi.from_buffer("int32_t[]", blades),
+            _count,
+            text(path),
+        )
 
 
 class Conditions(Handle):

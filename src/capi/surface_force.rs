@@ -183,7 +183,7 @@ fn call_back(
         velocities: input.velocities.as_ptr().cast(),
     };
     let (by_motion, by_velocity) = match &mut output.tangents {
-        Some((motion, velocity)) => (motion.as_mut_ptr().cast(), velocity.as_mut_ptr().cast()),
+        Some([motion, velocity]) => (motion.as_mut_ptr().cast(), velocity.as_mut_ptr().cast()),
         None => (std::ptr::null_mut(), std::ptr::null_mut()),
     };
     let mut values = pdn_surface_values {

@@ -226,18 +226,13 @@ pub struct Contribution {
     pub with_resultants_apart: bool,
     /// Of each station with [`StressLaw`], for each node, if wanted apart.
     pub strains: Vec<StrainTangent>,
-    /// Scratch of the beam kernel.
+    // Scratch of each kind that needs some.
     beam: beam::Scratch,
-    /// Scratch of the shell kernel.
     shell: shell::Scratch,
-    /// Scratch of loads along beams.
     load: distributed_load::Scratch,
-    /// Scratch of user's forces.
     user_force: user_force::Scratch,
-    /// Scratch of controllers.
-    controller: controller::Scratch,
-    /// The same on shells.
     surface_force: surface_force::Scratch,
+    controller: controller::Scratch,
 }
 
 impl Contribution {

@@ -45,7 +45,7 @@ pub struct SurfaceForceOutput<'a> {
     /// `[force; moment]` at each point, by what happens at this point alone.
     pub forces: &'a mut [Vector6<f64>],
     /// `∂force/∂increment` and `∂force/∂velocity` of each point, if wanted.
-    pub tangents: Option<(&'a mut [Matrix6<f64>], &'a mut [Matrix6<f64>])>,
+    pub tangents: Option<[&'a mut [Matrix6<f64>]; 2]>,
 }
 
 /// A user's function for the forces at points of a shell.
@@ -86,6 +86,14 @@ pub struct SurfaceForce {
     frequency: f64,
 }
 
+/// What the points do, restored after differences.
+#[derive(Debug, Clone, Default)]
+struct Kept {
+    positions: Vec<Vector3<f64>>,
+    rotations: Vec<Matrix3<f64>>,
+    velocities: Vec<Vector6<f64>>,
+}
+
 /// What is found at each evaluation; kept between these.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Scratch {
@@ -103,7 +111,7 @@ pub(super) struct Scratch {
     forces: Vec<Vector6<f64>>,
     /// Forces to either side, for differences, and what is restored after these.
     sides: [Vec<Vector6<f64>>; 2],
-    kept: (Vec<Vector3<f64>>, Vec<Matrix3<f64>>, Vec<Vector6<f64>>),
+    kept: Kept,
     stiffness: Vec<Matrix6<f64>>,
     damping: Vec<Matrix6<f64>>,
     /// Of the nodes, at one point: what its motion, and its velocity by the motion, vary by.
@@ -133,16 +141,16 @@ impl Scratch {
 
     /// Keeps motions and velocities.
     fn keep(&mut self) {
-        self.kept.0.clone_from(&self.positions);
-        self.kept.1.clone_from(&self.rotations);
-        self.kept.2.clone_from(&self.velocities);
+        self.kept.positions.clone_from(&self.positions);
+        self.kept.rotations.clone_from(&self.rotations);
+        self.kept.velocities.clone_from(&self.velocities);
     }
 
     /// Takes them back.
     fn restore(&mut self) {
-        self.positions.clone_from(&self.kept.0);
-        self.rotations.clone_from(&self.kept.1);
-        self.velocities.clone_from(&self.kept.2);
+        self.positions.clone_from(&self.kept.positions);
+        self.rotations.clone_from(&self.kept.rotations);
+        self.velocities.clone_from(&self.kept.velocities);
     }
 }
 
@@ -263,7 +271,7 @@ impl SurfaceForce {
         };
         let mut output = SurfaceForceOutput {
             forces,
-            tangents: with_tangents.then_some((stiffness, damping)),
+            tangents: with_tangents.then_some([stiffness, damping]),
         };
         (self.law.function)(&input, &mut output)?;
         for (k, force) in output.forces.iter().enumerate() {
@@ -272,7 +280,7 @@ impl SurfaceForce {
                 return Err(not_finite(&what, time, force[i]));
             }
         }
-        if let Some((stiffness, damping)) = output.tangents {
+        if let Some([stiffness, damping]) = output.tangents {
             for (tangents, kind) in [(stiffness, "motion"), (damping, "velocity")] {
                 for (k, tangent) in tangents.iter().enumerate() {
                     if let Some(at) = tangent.iter().position(|x| !x.is_finite()) {
@@ -413,7 +421,7 @@ impl SurfaceForce {
     fn add_point(&self, point: usize, scratch: &mut Scratch, out: &mut Contribution) {
         let station = &self.points.stations[point];
         let (axes, size) = (&self.points.axes[point], self.points.sizes[point]);
-        let polar = scratch.polars[point].clone();
+        let polar = scratch.polars[point];
         // Applied forces count negative.
         let (force, back) = match self.law.frame {
             LoadFrame::Follower => (scratch.forces[point] * size, None),

@@ -42,7 +42,7 @@ fn forces(
         let rows = output.forces[k].as_mut_slice();
         rows[..3].copy_from_slice(force.as_slice());
         rows[3..].copy_from_slice(moment.as_slice());
-        let Some((stiffness, damping)) = &mut output.tangents else {
+        let Some([stiffness, damping]) = &mut output.tangents else {
             continue;
         };
         // Increments along the point's axes are those in space, turned.

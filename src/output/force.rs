@@ -15,27 +15,12 @@ impl Solution {
         }
         let (system, history) = (&self.solve.system, self.history());
         // Of each coordinate that forces are at.
-        let mut known: Vec<(JointCoordinate, f64)> = Vec::new();
+        let mut known = Vec::new();
         for placed in system.elements() {
             let ElementRole::Force(index) = placed.role else {
                 continue;
             };
-            let mut gains: Vec<(JointCoordinate, f64)> = Vec::new();
-            for at in self.model.forces[index].coordinates() {
-                let gain = match known.iter().find(|(other, _)| *other == at) {
-                    Some(&(_, gain)) => gain,
-                    None => {
-                        let coordinate = JointQuantity::Coordinate(at.coordinate);
-                        let series = self.series(Quantity::Joint(at.joint, coordinate))?;
-                        let gain = series.first().map_or(0.0, |x| x.rate * x.period());
-                        known.push((at, gain));
-                        gain
-                    }
-                };
-                if gain != 0.0 {
-                    gains.push((at, gain));
-                }
-            }
+            let gains = self.gains(self.model.forces[index].coordinates(), &mut known)?;
             let Some(&(at, gain)) = gains.first() else {
                 continue;
             };
@@ -94,5 +79,30 @@ impl Solution {
             }
         }
         Ok(())
+    }
+    /// What joint coordinates gain in a period, of those that gain something; `known` are those
+    /// that were asked for.
+    fn gains(
+        &self,
+        coordinates: Vec<JointCoordinate>,
+        known: &mut Vec<(JointCoordinate, f64)>,
+    ) -> Result<Vec<(JointCoordinate, f64)>> {
+        let mut gains = Vec::new();
+        for at in coordinates {
+            let gain = match known.iter().find(|(other, _)| *other == at) {
+                Some(&(_, gain)) => gain,
+                None => {
+                    let coordinate = JointQuantity::Coordinate(at.coordinate);
+                    let series = self.series(Quantity::Joint(at.joint, coordinate))?;
+                    let gain = series.first().map_or(0.0, |x| x.rate * x.period());
+                    known.push((at, gain));
+                    gain
+                }
+            };
+            if gain != 0.0 {
+                gains.push((at, gain));
+            }
+        }
+        Ok(gains)
     }
 }

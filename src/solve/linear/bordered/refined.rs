@@ -142,14 +142,7 @@ impl<L: LinearSolver> Bordered<L> {
                 }
             };
             if slow {
-                let options = GmresOptions {
-                    tolerance: ITERATED,
-                    leading: motions,
-                    essential: rest.len(),
-                    parts: Parts::AsTheyAre,
-                    iteration_limit: ITERATION_LIMIT,
-                    restart: ITERATION_LIMIT,
-                };
+                let options = iterated(motions, rest.len());
                 gmres(
                     &mut operator,
                     &mut correction,
@@ -185,6 +178,18 @@ impl<L: LinearSolver> Bordered<L> {
             pairs.for_each(|(rest, (wanted, product))| *rest = wanted - product);
         }
         Ok(before <= ENOUGH)
+    }
+}
+
+/// How a correction is iterated on, of so many unknowns of motions and so many in all.
+fn iterated(motions: usize, unknowns: usize) -> GmresOptions {
+    GmresOptions {
+        tolerance: ITERATED,
+        leading: motions,
+        essential: unknowns,
+        parts: Parts::AsTheyAre,
+        iteration_limit: ITERATION_LIMIT,
+        restart: ITERATION_LIMIT,
     }
 }
 

@@ -135,16 +135,16 @@ impl BodyCirculant {
             return Ok(None);
         }
         let kept: Vec<usize> = layout.kept().collect();
-        let mut interface = None;
-        if !kept.is_empty() {
-            let places: Vec<_> = kept.iter().map(|&i| layout.places[i]).collect();
-            interface = Interface::new(equations, classes, &places, bounds);
-            if interface.is_none() {
-                return Ok(None);
-            }
+        let places: Vec<_> = kept.iter().map(|&i| layout.places[i]).collect();
+        let interface = match kept.is_empty() {
+            true => None,
+            false => Interface::new(equations, classes, &places, bounds),
+        };
+        if interface.is_some() == kept.is_empty() {
+            return Ok(None);
         }
         let strains = MeanStrain::all(equations, tangent);
-        let aliasing = scaled_aliasing(equations);
+        let (aliasing, harmonics) = (scaled_aliasing(equations), points / 2 + 1);
         let averages = Averages {
             system: equations.system(),
             grid: equations.grid(),
@@ -158,14 +158,13 @@ impl BodyCirculant {
             transposed,
             workers: equations.workers(),
         };
-        let Some(factors) = averages.factor(0..points / 2 + 1) else {
+        let Some(factors) = averages.factor(0..harmonics) else {
             return Ok(None);
         };
         let resultants = Resultants::new(equations, tangent, &strains);
         let lanes = vec![vec![ComplexLanes::zero(); layout.structure.unknowns()]; factors.len()];
         let series = || vec![vec![0.0; points]; kept.len()];
         let motions = equations.layout().motions().len();
-        let harmonics = points / 2 + 1;
         let mut circulant = BodyCirculant {
             points,
             unknowns: equations.layout(),

@@ -13,7 +13,7 @@
 //! * Both factor small sparse matrices with blocks where `layout` says, by `block_lu`, several side
 //!   by side in `lanes`, or by `fronts` where they fill as those of meshes do.
 //! * `spread`: these over ranks, each with some of the nodes; `spread_harmonics`, `spread_time`.
-//! * `trial`: what one solve takes, measured.
+//! * `record`: what solves took; `trial`: what one takes, measured.
 
 mod banded;
 mod block_lu;
@@ -36,6 +36,7 @@ mod operator;
 mod outer;
 mod part;
 mod projected;
+mod record;
 mod resultants;
 mod spread;
 mod spread_factors;
@@ -65,7 +66,7 @@ pub(crate) use long_vectors::Parts;
 use operator::{Eliminated, Operator};
 pub(crate) use outer::{Outer, SHARPEST, solve_around};
 pub(crate) use projected::Projected;
-use serde::{Deserialize, Serialize};
+pub use record::{IterativeRecord, Preconditioner};
 pub(crate) use spread::{Spread, motion_of, numbers_of, suitable};
 pub(crate) use spread_factors::SpreadFactors;
 use std::time::{Duration, Instant};
@@ -99,44 +100,6 @@ const SUSPECT_SLENDER: f64 = 1e7;
 const ROUGH: f64 = 1e-2;
 /// What is enough beside multipliers that have no effect, of which rounding leaves more.
 const ROUGH_BESIDE_MULTIPLIERS: f64 = 0.1;
-
-/// What the Jacobian is approximated by, to be solved with exactly.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Preconditioner {
-    /// Bodies averaged over time, each in its own frame; joints as they are. Serves all kinds of
-    /// systems.
-    BodyCirculant,
-    /// Equilibrium at each grid point by itself, without inertia: for slow mechanisms.
-    TimeLocal,
-    /// Everything averaged over time, as the paper proposes: for systems with no joints that turn.
-    Circulant,
-}
-
-impl Preconditioner {
-    /// For reports.
-    pub fn name(self) -> &'static str {
-        match self {
-            Preconditioner::BodyCirculant => "body-circulant preconditioner",
-            Preconditioner::TimeLocal => "time-local preconditioner",
-            Preconditioner::Circulant => "circulant preconditioner",
-        }
-    }
-}
-
-/// What iterative solves took.
-#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub struct IterativeRecord {
-    /// The preconditioner that was used last; none if iteration was given up for factors.
-    pub preconditioner: Option<Preconditioner>,
-    /// Products of each linear solve.
-    pub products: Vec<usize>,
-    /// Times that a preconditioner was factored.
-    pub factorisations: usize,
-    /// Unknowns of the system of joints that turn.
-    pub interface: usize,
-    /// Bytes of the tangents, the factors and the vectors that were kept, at most.
-    pub bytes: usize,
-}
 
 /// GMRES on the Jacobian as an operator.
 pub(crate) struct Iterative {
