@@ -189,10 +189,10 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_NUMBER_BEAM_MASS = 3605
     integer(c_int32_t), parameter :: PDN_NUMBER_BEAM_DAMPING = 3606
     integer(c_int32_t), parameter :: PDN_NUMBER_MASS_DAMPING = 3607
-    integer(c_int32_t), parameter :: PDN_NUMBER_SHELL_STIFFNESS = 3610
-    integer(c_int32_t), parameter :: PDN_NUMBER_SHELL_MASS = 3611
-    integer(c_int32_t), parameter :: PDN_NUMBER_SHELL_DAMPING = 3612
-    integer(c_int32_t), parameter :: PDN_NUMBER_SHELL_THICKNESS = 3613
+    integer(c_int32_t), parameter :: PDN_NUMBER_SHELL_STIFFNESS = 3609
+    integer(c_int32_t), parameter :: PDN_NUMBER_SHELL_MASS = 3610
+    integer(c_int32_t), parameter :: PDN_NUMBER_SHELL_DAMPING = 3611
+    integer(c_int32_t), parameter :: PDN_NUMBER_SHELL_THICKNESS = 3612
     integer(c_int32_t), parameter :: PDN_SIGNAL_OF_ACTUATOR = 3700
     integer(c_int32_t), parameter :: PDN_SIGNAL_OF_PRESCRIBED = 3701
     integer(c_int32_t), parameter :: PDN_SIGNAL_OF_LOAD = 3702

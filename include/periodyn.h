@@ -953,24 +953,24 @@
 /**
  * A parameter moves a factor of the stiffness of a shell element.
  */
-#define PDN_NUMBER_SHELL_STIFFNESS 3610
+#define PDN_NUMBER_SHELL_STIFFNESS 3609
 
 /**
  * A parameter moves a factor of the mass of a shell element.
  */
-#define PDN_NUMBER_SHELL_MASS 3611
+#define PDN_NUMBER_SHELL_MASS 3610
 
 /**
  * A parameter moves a factor of the damping of a shell element.
  */
-#define PDN_NUMBER_SHELL_DAMPING 3612
+#define PDN_NUMBER_SHELL_DAMPING 3611
 
 /**
  * A parameter moves a factor of the thickness of a shell element, more than zero, all its layers
  * alike: stiffness, damping and mass against stretching grow with it, against bending and turning
  * with its cube, what couples them with its square.
  */
-#define PDN_NUMBER_SHELL_THICKNESS 3613
+#define PDN_NUMBER_SHELL_THICKNESS 3612
 
 /**
  * The signal of an actuator, by its force id.

@@ -175,6 +175,10 @@ fn nutating_pendulum(momentum: f64) -> (Model, JointCoordinate, usize) {
     let law = CoordinateLaw {
         function: Arc::new(move |state| {
             let (sine, cosine) = state.value.sin_cos();
+            // Where it hangs, and is looked at before the solve, there is no such motion.
+            if sine == 0.0 {
+                return Ok(Effort::default());
+            }
             let by_coordinate = square * (1.0 + 2.0 * cosine * cosine) / sine.powi(4);
             Ok(Effort {
                 value: -square * cosine / sine.powi(3),

@@ -239,7 +239,7 @@ fn sensitivities_to_shells_and_their_loads_are_differences_of_solves() {
     let direct = of(SensitivityMethod::Direct);
     let adjoint = of(SensitivityMethod::Adjoint);
     for (j, &parameter) in parameters.iter().enumerate() {
-        let step = 1e-2;
+        let step = 5e-3;
         let at = |n: f64| {
             let mut beside = model.clone();
             let value = beside.parameters()[parameter].value + n * step;

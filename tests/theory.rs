@@ -131,8 +131,7 @@ fn files_that_the_theory_names_exist() {
     let plain = [
         "mod.rs",
         "absent.rs",
-        "tangent_test.rs",
-        "spread_test.rs",
+        "_test.rs",
         "tests.rs",
         "division.rs",
         "test_models.rs",

@@ -446,13 +446,13 @@ NUMBER_BEAM_DAMPING = 3606
 """A parameter moves a factor of the sections' damping along a beam element."""
 NUMBER_MASS_DAMPING = 3607
 """A parameter moves the damping in proportion to mass, Model.set_mass_damping."""
-NUMBER_SHELL_STIFFNESS = 3610
+NUMBER_SHELL_STIFFNESS = 3609
 """A parameter moves a factor of the stiffness of a shell element."""
-NUMBER_SHELL_MASS = 3611
+NUMBER_SHELL_MASS = 3610
 """A parameter moves a factor of the mass of a shell element."""
-NUMBER_SHELL_DAMPING = 3612
+NUMBER_SHELL_DAMPING = 3611
 """A parameter moves a factor of the damping of a shell element."""
-NUMBER_SHELL_THICKNESS = 3613
+NUMBER_SHELL_THICKNESS = 3612
 """A parameter moves a factor of the thickness of a shell element, more than zero, all its layers
 alike: stiffness, damping and mass against stretching grow with it, against bending and turning
 with its cube, what couples them with its square.

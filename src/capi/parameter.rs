@@ -31,15 +31,15 @@ pub const PDN_NUMBER_BEAM_DAMPING: i32 = 3606;
 /// A parameter moves the damping in proportion to mass, ::pdn_model_set_mass_damping.
 pub const PDN_NUMBER_MASS_DAMPING: i32 = 3607;
 /// A parameter moves a factor of the stiffness of a shell element.
-pub const PDN_NUMBER_SHELL_STIFFNESS: i32 = 3610;
+pub const PDN_NUMBER_SHELL_STIFFNESS: i32 = 3609;
 /// A parameter moves a factor of the mass of a shell element.
-pub const PDN_NUMBER_SHELL_MASS: i32 = 3611;
+pub const PDN_NUMBER_SHELL_MASS: i32 = 3610;
 /// A parameter moves a factor of the damping of a shell element.
-pub const PDN_NUMBER_SHELL_DAMPING: i32 = 3612;
+pub const PDN_NUMBER_SHELL_DAMPING: i32 = 3611;
 /// A parameter moves a factor of the thickness of a shell element, more than zero, all its layers
 /// alike: stiffness, damping and mass against stretching grow with it, against bending and turning
 /// with its cube, what couples them with its square.
-pub const PDN_NUMBER_SHELL_THICKNESS: i32 = 3613;
+pub const PDN_NUMBER_SHELL_THICKNESS: i32 = 3612;
 
 /// The signal of an actuator, by its force id.
 pub const PDN_SIGNAL_OF_ACTUATOR: i32 = 3700;
