@@ -5,14 +5,16 @@ mod common;
 
 use common::*;
 use nalgebra::{Matrix3, Matrix6, Vector3};
-use periodyn::elements::{Coordinate, IsotropicShell};
+use periodyn::elements::{Coordinate, IsotropicShell, JointKind};
 use periodyn::error::{Error, ErrorKind};
 use periodyn::model::{
     Model, SectionInput, SectionStation, ShellMesh, ShellPlacement, Target, rectangle,
     straight_line,
 };
+use periodyn::motion::Motion;
 use periodyn::output::{JointQuantity, Modes, NodeQuantity};
 use periodyn::solve::ModesOptions;
+use periodyn::system::Summary;
 use std::fmt::Debug;
 
 fn modes_of(model: &Model) -> Result<Modes, Error> {
@@ -203,4 +205,54 @@ fn a_parameter_that_makes_the_inertia_of_an_element_too_large_is_refused() {
         assert_eq!(model.mass_and_moment().unwrap(), mass);
         assert_saved(&model);
     }
+}
+
+#[test]
+fn a_mass_that_a_parameter_makes_zero_is_none() {
+    let section = SectionInput::diagonal(&[1.0; 6], &[3.0; 4]).unwrap();
+    let (start, end) = (Vector3::zeros(), Vector3::x());
+    let mut model = Model::new();
+    let beam = |model: &mut Model| {
+        let added = model.add_straight_beam(&start, &end, &Vector3::y(), &section, 1, 1);
+        added.unwrap();
+    };
+    beam(&mut model);
+    beam(&mut model);
+    let parameter = model.add_parameter("density", 1.0, 1.0).unwrap();
+    let moved = model.move_by_parameter(parameter, Target::BeamMass(0), 1.0);
+    moved.unwrap();
+    model.set_parameter(parameter, 0.0).unwrap();
+    assert_eq!(model.mass_and_moment().unwrap().0, 3.0);
+    assert_eq!(Summary::of(&model).unwrap().mass, 3.0);
+    assert_saved(&model);
+}
+
+#[test]
+fn a_centre_of_mass_beyond_numbers_is_an_overflow() {
+    let mut model = Model::new();
+    let node = ball(&mut model, 1e-320, 0.0, &Vector3::zeros());
+    assert!(model.mass_and_moment().is_ok());
+    // A first moment that is rounding beside the inertia, but has no mass.
+    let mut matrix = Matrix6::identity();
+    for i in 0..3 {
+        matrix[(i, i)] = 0.0;
+    }
+    for (i, j, value) in [(1, 5, 1e-10), (2, 4, -1e-10)] {
+        (matrix[(i, j)], matrix[(j, i)]) = (value, value);
+    }
+    model.add_inertia(node, None, &matrix).unwrap();
+    let error = model.mass_and_moment().unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::Overflow);
+}
+
+#[test]
+fn frames_too_far_from_their_bodies_are_refused() {
+    let mut model = Model::new();
+    let node = ball(&mut model, 1.0, 1.0, &(Vector3::x() * 1.5e308));
+    let far = Motion::new(Matrix3::identity(), Vector3::x() * -1.5e308);
+    let joint = model.add_joint(JointKind::Spherical, None, Some(node), &far, &far);
+    assert_refused(joint);
+    let damper = model.add_viscous_damper(None, Some(node), Some(&far), &Matrix6::identity());
+    assert_refused(damper);
+    assert_saved(&model);
 }

@@ -1,7 +1,7 @@
 //! A solution on one mesh of the beams is a start on another.
 
-use nalgebra::{Matrix3, Vector3};
-use periodyn::elements::{Coordinate, JointKind};
+use nalgebra::{Matrix3, Matrix6, Vector3};
+use periodyn::elements::{Coordinate, JointKind, MaxwellBranch};
 use periodyn::error::{ErrorKind, Result};
 use periodyn::fourier::TimeGrid;
 use periodyn::model::*;
@@ -191,5 +191,38 @@ fn other_mechanisms_are_refused() {
         let error = solution.prolonged_to(model, grid).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::Value);
         assert!(error.to_string().contains(told), "{error}");
+    }
+}
+
+#[test]
+fn as_many_forces_with_other_unknowns_are_refused() {
+    let at = JointCoordinate {
+        joint: 1,
+        coordinate: Coordinate::Rotation1,
+    };
+    let branch = MaxwellBranch {
+        stiffness: 1.0,
+        relaxation_time: 1.0,
+    };
+    let with_branches = |count: usize| {
+        let mut model = rotor(2, 3);
+        let branches = vec![branch; count];
+        model.add_viscoelastic(at, 1.0, 0.0, &branches).unwrap();
+        model
+    };
+    let mut damped = rotor(2, 3);
+    let damper = damped.add_viscous_damper(None, Some(0), None, &Matrix6::identity());
+    damper.unwrap();
+    let grid = TimeGrid::new(9, PERIOD).unwrap();
+    let points = GridPoints::Fixed(9);
+    let solution = solve(&with_branches(1), InitialGuess::Default, points);
+    assert!(solution.prolonged_to(&with_branches(1), grid).is_ok());
+    for model in [with_branches(2), damped] {
+        let error = solution.prolonged_to(&model, grid).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::Value);
+        assert!(
+            error.to_string().contains("on the same coordinates"),
+            "{error}"
+        );
     }
 }

@@ -133,6 +133,15 @@ impl ForceDefinition {
         }
     }
 
+    /// Number of its internal states.
+    pub fn states(&self) -> usize {
+        match self {
+            ForceDefinition::Viscoelastic { branches, .. } => branches.len(),
+            ForceDefinition::Controller(controller) => controller.states.len(),
+            _ => 0,
+        }
+    }
+
     /// Whether it is a function of the user.
     pub fn calls_function(&self) -> bool {
         self.cycles().is_some()
@@ -309,10 +318,8 @@ impl Model {
         frame: Option<&Motion>,
         matrix: &Matrix6<f64>,
     ) -> Result<usize> {
-        for (name, node) in [("first", first), ("second", second)] {
-            if let Some(node) = node {
-                self.require_node(name, node)?;
-            }
+        if let Some(node) = second {
+            self.require_node("second", node)?;
         }
         require_two_bodies(first, second)?;
         let place = |node: Option<usize>| node.map_or(Motion::identity(), |n| self.nodes[n]);
@@ -320,11 +327,8 @@ impl Model {
             None => place(second),
             Some(frame) => require_motion("frame", frame)?,
         };
-        let attach = |node: Option<usize>| Attachment {
-            node,
-            offset: place(node).relative(&frame),
-        };
-        let (first, second) = (attach(first), attach(second));
+        let first = self.attachment("first", first, frame)?;
+        let second = self.attachment("second", second, frame)?;
         let matrix = require_positive("matrix", matrix, false)?;
         self.add_force(ForceDefinition::ViscousDamper {
             first,

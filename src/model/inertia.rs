@@ -159,8 +159,11 @@ impl Model {
         beams: &[Arc<Beam>],
         shells: &[Arc<Shell>],
     ) -> Result<Vec<Inertia>> {
-        let mut massive = beams.iter().filter(|beam| beam.has_mass());
-        let mut massive_shells = shells.iter().filter(|shell| shell.has_mass());
+        // By their sections: a parameter may have made the factor of a mass zero.
+        let mut massive = of_those(beams, &self.beams, |beam| beam.sections.has(|s| &s.mass));
+        let mut massive_shells = of_those(shells, &self.shells, |shell| {
+            shell.section.mass != Matrix6::zeros()
+        });
         let too_many = || Error::size("inertias", "as many as beams and shells with mass", "more");
         let element = |inertia: &InertiaDefinition| match inertia {
             InertiaDefinition::Beam => match massive.next() {
@@ -200,6 +203,21 @@ impl Model {
             let message = "mass, or mass times distance, is too large to be a number in total";
             return Err(Error::new(ErrorKind::Overflow, message));
         }
+        if total.0 > 0.0 && !(total.1 / total.0).iter().all(|x| x.is_finite()) {
+            let message = "the centre of mass is too far away to be a number";
+            return Err(Error::new(ErrorKind::Overflow, message));
+        }
         Ok(total)
     }
+}
+
+/// The elements whose definitions are such.
+fn of_those<'a, E, D>(
+    elements: &'a [Arc<E>],
+    definitions: &'a [D],
+    are_such: impl Fn(&D) -> bool + 'a,
+) -> impl Iterator<Item = &'a Arc<E>> {
+    let all = elements.iter().zip(definitions);
+    all.filter(move |(_, definition)| are_such(definition))
+        .map(|(element, _)| element)
 }

@@ -79,7 +79,11 @@ impl Model {
             None => frame,
             Some(index) => {
                 self.require_node(name, index)?;
-                self.nodes[index].relative(&frame)
+                let offset = self.nodes[index].relative(&frame);
+                // Both positions are numbers; how far they are apart need not be one.
+                let distance = offset.position.as_slice();
+                require_finite(&format!("{name}_frame's distance from its node"), distance)?;
+                offset
             }
         };
         Ok(Attachment { node, offset })

@@ -171,20 +171,22 @@ impl Solution {
         if self.is_of_mechanism(model) {
             return Ok(());
         }
-        Err(Error::value(
-            "options.initial",
-            "a solution of a model with the same joints, forces and prescribed coordinates",
+        let counts = |m: &Model| {
+            let [joints, forces] = [m.joints.len(), m.forces.len()];
+            let [prescribed, relations] = [m.prescribed.len(), m.relations.len()];
             format!(
-                "one with {} joints, {} forces and {} prescribed coordinates, for a model with \
-                 {}, {} and {}",
-                self.model.joints.len(),
-                self.model.forces.len(),
-                self.model.prescribed.len(),
-                model.joints.len(),
-                model.forces.len(),
-                model.prescribed.len()
-            ),
-        ))
+                "{joints} joints, {forces} forces, {prescribed} prescribed coordinates and \
+                 {relations} relations"
+            )
+        };
+        let expected = "a solution of a model with the same joints, forces, prescribed \
+                        coordinates and relations, on the same coordinates";
+        let got = format!(
+            "one with {}, for a model with {}",
+            counts(&self.model),
+            counts(model)
+        );
+        Err(Error::value("options.initial", expected, got))
     }
 
     /// Where the nodes of a system with other meshes are in this model.

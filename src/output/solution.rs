@@ -165,11 +165,15 @@ impl Solution {
         ))
     }
 
-    /// Whether `model` has the joints, forces and prescribed coordinates that this solution has.
+    /// Whether `model` has the joints, forces, prescribed coordinates and relations that this
+    /// solution has: what coordinates are followed, and what unknowns there are, follows from them.
     pub(super) fn is_of_mechanism(&self, model: &Model) -> bool {
         let mechanism = |m: &Model| {
             let kinds: Vec<_> = m.joints.iter().map(|j| j.kind).collect();
-            (kinds, m.prescribed.len(), m.forces.len())
+            let prescribed: Vec<_> = m.prescribed.iter().map(|(at, _)| *at).collect();
+            let forces = m.forces.iter().map(|f| (f.coordinates(), f.states()));
+            let forces: Vec<_> = forces.collect();
+            (kinds, prescribed, forces, m.relations.len())
         };
         mechanism(&self.model) == mechanism(model)
     }

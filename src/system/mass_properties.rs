@@ -45,7 +45,7 @@ impl MassProperties {
         about_origin.into_iter().filter_map(of).collect()
     }
 
-    /// From the 6×6 inertia about the origin; none without mass.
+    /// From the 6×6 inertia about the origin; none without mass, or with a centre beyond numbers.
     fn about_centre(
         nodes: Vec<usize>,
         [beam_elements, shell_elements]: [usize; 2],
@@ -63,7 +63,8 @@ impl MassProperties {
         let centre = moment / mass;
         let c = skew(&centre);
         let about_origin: Matrix3<f64> = inertia.fixed_view::<3, 3>(3, 3).into();
-        (mass > 0.0).then(|| MassProperties {
+        let is_some = mass > 0.0 && centre.iter().all(|x| x.is_finite());
+        is_some.then(|| MassProperties {
             nodes,
             beam_elements,
             shell_elements,

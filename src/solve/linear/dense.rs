@@ -24,10 +24,22 @@ pub(crate) fn largest(values: &[f64]) -> f64 {
     lanes.into_iter().fold(most, f64::max)
 }
 
-/// The singular value decomposition of what consists of numbers: of others it does not end.
-pub(crate) fn decomposed(matrix: DMatrix<f64>) -> Option<SVD<f64, Dyn, Dyn>> {
-    let finite = matrix.iter().all(|x| x.is_finite());
-    finite.then(|| matrix.svd(true, true))
+/// The singular value decomposition of what consists of numbers: of others it does not end. They
+/// may be as large as numbers go, and squares of them need not be numbers.
+pub(crate) fn decomposed(mut matrix: DMatrix<f64>) -> Option<SVD<f64, Dyn, Dyn>> {
+    if !matrix.iter().all(|x| x.is_finite()) {
+        return None;
+    }
+    // A power of two, which rounds nothing.
+    let size = largest(matrix.as_slice());
+    let unit = match size > 0.0 {
+        true => size.log2().floor().exp2(),
+        false => 1.0,
+    };
+    matrix.apply(|x| *x /= unit);
+    let mut found = matrix.svd(true, true);
+    found.singular_values *= unit;
+    Some(found)
 }
 
 /// A vector without structure, which has a part along any null space.
@@ -148,6 +160,18 @@ mod tests {
             matrix[(0, 1)] = value;
             assert_eq!(decomposed(matrix).is_some(), serves, "{value}");
         }
+    }
+
+    #[test]
+    fn decompositions_of_large_and_small_numbers_are_those_of_others() {
+        let numbers = DMatrix::from_fn(4, 4, |i, j| (0.37 * (3 * i * j + 7 * j) as f64).sin());
+        let of = |unit: f64| decomposed(&numbers * unit).unwrap().singular_values / unit;
+        for unit in [1.0, 1e300, 1e-290] {
+            // Rounding of a few sums.
+            assert!((of(unit) - of(2.0)).amax() < 1e-14, "{unit}");
+        }
+        let none = decomposed(DMatrix::zeros(3, 3)).unwrap();
+        assert_eq!(none.singular_values.amax(), 0.0);
     }
 
     #[test]
