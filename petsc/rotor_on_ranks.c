@@ -47,9 +47,10 @@ int main(int argc, char **argv)
         double position[3];
         const double time = 0.25;
         TRY(pdn_solution_node_position(solution, tip, &time, 1, position));
-        printf("%d ranks: outcome %d, %zu unknowns, %zu iterations, %zu products, %.1f s, of which "
+        printf("%d ranks: %s, %zu unknowns, %zu iterations, %zu products, %.1f s, of which "
                "start %.1f, linearisations %.1f, factors %.1f, linear solves %.1f\n",
-               ranks, report.outcome, report.unknowns, report.iterations, report.products, seconds,
+               ranks, report.outcome == PDN_CONVERGED ? "converged" : "not converged",
+               report.unknowns, report.iterations, report.products, seconds,
                report.start_time, report.linearisation_time, report.factor_time,
                report.solve_time);
         printf("memory of a rank: %.0f MB, of which equations %.0f MB; tip at %.12f %.12f %.12f\n",

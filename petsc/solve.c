@@ -137,7 +137,8 @@ static pdn_status find_start(MPI_Comm comm, const pdn_model *model, double perio
 
 void pdn_petsc_options_init(pdn_petsc_options *options, size_t struct_size)
 {
-    const pdn_petsc_options defaults = {.start_points = 9,
+    const pdn_petsc_options defaults = {.preconditioner = PDN_LINEAR_AUTOMATIC,
+                                        .start_points = 9,
                                         .tolerance = 1e-9,
                                         .iteration_limit = 30,
                                         .threads = 1,
