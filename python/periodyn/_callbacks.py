@@ -136,6 +136,7 @@ class ControllerValues:
 def _controller(state, values, data):
     ffi.from_handle(data)(
         ControllerState(state), ControllerValues(values, state, values.output_count))
+    return 0
 
 
 class SurfaceState:

@@ -112,7 +112,7 @@ impl Model {
     /// The relation of this id.
     ///
     /// # Errors
-    /// [`ErrorKind::Identifier`].
+    /// [`crate::error::ErrorKind::Identifier`].
     pub fn relation(&self, relation: usize) -> Result<&RelationDefinition> {
         require_id("relation", "relation", self.relations.len(), relation)?;
         Ok(&self.relations[relation])
