@@ -1,29 +1,78 @@
 //! Controllers: laws of the user that read joint coordinates, have states, and act on coordinates.
 
-use super::{JointCoordinate, Model, UserFunction};
+use super::{ControllerDefinition, ForceDefinition, JointCoordinate, Model, UserFunction};
 use crate::elements::{ControllerLaw, ControllerState};
-use crate::error::{Error, Result, require_finite};
-use serde::{Deserialize, Serialize};
-
-/// Efforts on joint coordinates, towards growth, by a law of joint coordinates, their rates, and
-/// states of its own.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-pub struct ControllerDefinition {
-    /// The coordinates that it reads.
-    pub inputs: Vec<JointCoordinate>,
-    /// Those that it acts on.
-    pub outputs: Vec<JointCoordinate>,
-    /// Its states.
-    pub states: Vec<ControllerState>,
-    /// The law.
-    pub law: UserFunction<ControllerLaw>,
-    /// Cycles of the phase that it is told in a period; 0 if it is told the time.
-    pub cycles: usize,
-}
+use crate::error::{Error, ErrorKind, Result, require_finite};
 
 impl ControllerDefinition {
     pub(super) fn require_valid(&self, model: &Model) -> Result<()> {
         require_valid(model, [&self.inputs, &self.outputs], &self.states)
+    }
+}
+
+impl Model {
+    /// Adds a controller: efforts on the joint coordinates `outputs`, towards growth, by a law of
+    /// time, of the coordinates `inputs` and their rates, and of states that it gives the rates of.
+    /// Without states it is a law that reads other coordinates. Returns the force's id.
+    ///
+    /// # Errors
+    /// If a coordinate is none of its joint or in a list twice, if there is no output, or if the
+    /// size of a state is not positive.
+    pub fn add_controller(
+        &mut self,
+        inputs: &[JointCoordinate],
+        outputs: &[JointCoordinate],
+        states: &[ControllerState],
+        law: ControllerLaw,
+    ) -> Result<usize> {
+        self.add_force(ForceDefinition::Controller(Box::new(
+            ControllerDefinition {
+                inputs: inputs.to_vec(),
+                outputs: outputs.to_vec(),
+                states: states.to_vec(),
+                law: UserFunction::new(law),
+                cycles: 0,
+            },
+        )))
+    }
+
+    /// Checks what a controller would be made of.
+    ///
+    /// # Errors
+    /// As [`Model::add_controller`].
+    pub(crate) fn require_controller_of(
+        &self,
+        inputs: &[JointCoordinate],
+        outputs: &[JointCoordinate],
+        states: &[ControllerState],
+    ) -> Result<()> {
+        require_valid(self, [inputs, outputs], states)
+    }
+
+    /// Gives a controller its law, or another: that of a model that was loaded is not in the file.
+    ///
+    /// # Errors
+    /// If the force is no controller.
+    pub fn bind_controller(&mut self, force: usize, law: ControllerLaw) -> Result<()> {
+        self.require_controller(force)?;
+        if let ForceDefinition::Controller(controller) = &mut self.forces[force] {
+            controller.law = UserFunction::new(law);
+        }
+        Ok(())
+    }
+
+    /// The controller of this id.
+    ///
+    /// # Errors
+    /// If there is no such force, or it is no controller.
+    pub fn require_controller(&self, force: usize) -> Result<&ControllerDefinition> {
+        match self.require_force("force", force)? {
+            ForceDefinition::Controller(controller) => Ok(controller),
+            _ => {
+                let message = format!("force: {force} is no controller");
+                Err(Error::new(ErrorKind::NotAvailable, message))
+            }
+        }
     }
 }
 

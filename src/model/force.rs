@@ -1,17 +1,14 @@
 //! Forces that attach to joint coordinates and nodes; each has an id, in the order they are added.
 
 use super::validation::{require_motion, require_positive, require_two_bodies};
-use super::{
-    BushingDefinition, ControllerDefinition, JointCoordinate, Model, Signal, UserFunction,
-};
+use super::{BushingDefinition, ForceDefinition, JointCoordinate, Model, Signal, UserFunction};
 use crate::elements::{
-    Attachment, BushingAngles, ControllerLaw, ControllerState, CoordinateLaw, JointKind,
-    MaxwellBranch, NodeForceLaw, ShellLoadPlace, SurfaceForceLaw,
+    Attachment, BushingAngles, CoordinateLaw, JointKind, MaxwellBranch, NodeForceLaw,
+    ShellLoadPlace, SurfaceForceLaw,
 };
 use crate::error::{Error, ErrorKind, Result, require_finite, require_id};
 use crate::motion::Motion;
 use nalgebra::{Matrix3, Matrix6, Vector3};
-use serde::{Deserialize, Serialize};
 
 /// Linear spring-damper on a joint coordinate: effort `stiffness (q − rest) + damping q̇` against
 /// growth.
@@ -25,148 +22,6 @@ pub struct SpringDefinition {
     pub damping: f64,
     /// Coordinate at which the spring is free of effort.
     pub rest: f64,
-}
-
-/// A force of the model.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-pub enum ForceDefinition {
-    /// Effort `Σ stiffness[i−1] (q − rest)ⁱ + Σ damping[i−1] q̇ⁱ` on a joint coordinate, against
-    /// growth.
-    SpringDamper {
-        /// Where it acts.
-        at: JointCoordinate,
-        /// Coefficients of the powers of `q − rest`, from the first.
-        stiffness: Vec<f64>,
-        /// Coefficients of the powers of `q̇`, from the first.
-        damping: Vec<f64>,
-        /// Coordinate at which the springs are free of effort.
-        rest: f64,
-    },
-    /// Effort on a joint coordinate that follows a signal, towards growth.
-    Actuator {
-        /// Where it acts.
-        at: JointCoordinate,
-        /// The effort.
-        signal: Signal,
-    },
-    /// Effort of a user's law on a joint coordinate, against growth.
-    CoordinateLaw {
-        /// Where it acts.
-        at: JointCoordinate,
-        /// The law.
-        law: UserFunction<CoordinateLaw>,
-        /// Cycles of the phase that it is told in a period; 0 if it is told the time.
-        #[serde(default)]
-        cycles: usize,
-    },
-    /// Generalised Maxwell model on a joint coordinate, see [`crate::elements::Viscoelastic`].
-    Viscoelastic {
-        /// Where it acts.
-        at: JointCoordinate,
-        /// Long-term stiffness `K∞`.
-        stiffness: f64,
-        /// Coordinate at which the long-term spring is free of effort.
-        rest: f64,
-        /// The branches.
-        branches: Vec<MaxwellBranch>,
-    },
-    /// Wrench `−C ż` between two bodies.
-    ViscousDamper {
-        /// First body; where its frame is does not matter.
-        first: Attachment,
-        /// Second body, and the frame that twist, wrench and matrix are about and resolved in.
-        second: Attachment,
-        /// The coefficients.
-        matrix: Box<Matrix6<f64>>,
-    },
-    /// Efforts of full matrices between two frames.
-    Bushing(Box<BushingDefinition>),
-    /// A user's forces on nodes.
-    NodeForces {
-        /// The nodes.
-        nodes: Vec<usize>,
-        /// The law.
-        law: UserFunction<NodeForceLaw>,
-        /// Cycles of the phase that it is told in a period; 0 if it is told the time.
-        #[serde(default)]
-        cycles: usize,
-    },
-    /// A law of the user that reads joint coordinates, has states, and acts on joint coordinates.
-    Controller(Box<ControllerDefinition>),
-    /// A user's forces on a shell element.
-    SurfaceForces {
-        /// The element.
-        element: usize,
-        /// Where on it.
-        place: ShellLoadPlace,
-        /// The law.
-        law: UserFunction<SurfaceForceLaw>,
-        /// Cycles of the phase that it is told in a period; 0 if it is told the time.
-        #[serde(default)]
-        cycles: usize,
-    },
-}
-
-impl ForceDefinition {
-    /// The joint coordinate it acts on, if it does on one.
-    pub fn at(&self) -> Option<JointCoordinate> {
-        match self {
-            ForceDefinition::SpringDamper { at, .. }
-            | ForceDefinition::Actuator { at, .. }
-            | ForceDefinition::CoordinateLaw { at, .. }
-            | ForceDefinition::Viscoelastic { at, .. } => Some(*at),
-            ForceDefinition::ViscousDamper { .. }
-            | ForceDefinition::Bushing(_)
-            | ForceDefinition::NodeForces { .. }
-            | ForceDefinition::SurfaceForces { .. }
-            | ForceDefinition::Controller(_) => None,
-        }
-    }
-
-    /// All joint coordinates that it depends on or acts on.
-    pub fn coordinates(&self) -> Vec<JointCoordinate> {
-        match self {
-            ForceDefinition::Controller(controller) => {
-                [&controller.inputs[..], &controller.outputs].concat()
-            }
-            _ => self.at().into_iter().collect(),
-        }
-    }
-
-    /// Number of its internal states.
-    pub fn states(&self) -> usize {
-        match self {
-            ForceDefinition::Viscoelastic { branches, .. } => branches.len(),
-            ForceDefinition::Controller(controller) => controller.states.len(),
-            _ => 0,
-        }
-    }
-
-    /// Whether it is a function of the user.
-    pub fn calls_function(&self) -> bool {
-        self.cycles().is_some()
-    }
-
-    /// Cycles of the phase that its function is told in a period; none if it has no function.
-    pub fn cycles(&self) -> Option<usize> {
-        match self {
-            ForceDefinition::CoordinateLaw { cycles, .. }
-            | ForceDefinition::NodeForces { cycles, .. }
-            | ForceDefinition::SurfaceForces { cycles, .. } => Some(*cycles),
-            ForceDefinition::Controller(controller) => Some(controller.cycles),
-            _ => None,
-        }
-    }
-
-    pub(super) fn cycles_mut(&mut self) -> Option<&mut usize> {
-        match self {
-            ForceDefinition::CoordinateLaw { cycles, .. }
-            | ForceDefinition::NodeForces { cycles, .. }
-            | ForceDefinition::SurfaceForces { cycles, .. } => Some(cycles),
-            ForceDefinition::Controller(controller) => Some(&mut controller.cycles),
-            _ => None,
-        }
-    }
 }
 
 impl Model {
@@ -415,72 +270,6 @@ impl Model {
             }
             None => {
                 let message = format!("force: {force} has no function");
-                Err(Error::new(ErrorKind::NotAvailable, message))
-            }
-        }
-    }
-}
-
-impl Model {
-    /// Adds a controller: efforts on the joint coordinates `outputs`, towards growth, by a law of
-    /// time, of the coordinates `inputs` and their rates, and of states that it gives the rates of.
-    /// Without states it is a law that reads other coordinates. Returns the force's id.
-    ///
-    /// # Errors
-    /// If a coordinate is none of its joint or in a list twice, if there is no output, or if the
-    /// size of a state is not positive.
-    pub fn add_controller(
-        &mut self,
-        inputs: &[JointCoordinate],
-        outputs: &[JointCoordinate],
-        states: &[ControllerState],
-        law: ControllerLaw,
-    ) -> Result<usize> {
-        self.add_force(ForceDefinition::Controller(Box::new(
-            ControllerDefinition {
-                inputs: inputs.to_vec(),
-                outputs: outputs.to_vec(),
-                states: states.to_vec(),
-                law: UserFunction::new(law),
-                cycles: 0,
-            },
-        )))
-    }
-
-    /// Checks what a controller would be made of.
-    ///
-    /// # Errors
-    /// As [`Model::add_controller`].
-    pub(crate) fn require_controller_of(
-        &self,
-        inputs: &[JointCoordinate],
-        outputs: &[JointCoordinate],
-        states: &[ControllerState],
-    ) -> Result<()> {
-        super::controller::require_valid(self, [inputs, outputs], states)
-    }
-
-    /// Gives a controller its law, or another: that of a model that was loaded is not in the file.
-    ///
-    /// # Errors
-    /// If the force is no controller.
-    pub fn bind_controller(&mut self, force: usize, law: ControllerLaw) -> Result<()> {
-        self.require_controller(force)?;
-        if let ForceDefinition::Controller(controller) = &mut self.forces[force] {
-            controller.law = UserFunction::new(law);
-        }
-        Ok(())
-    }
-
-    /// The controller of this id.
-    ///
-    /// # Errors
-    /// If there is no such force, or it is no controller.
-    pub fn require_controller(&self, force: usize) -> Result<&ControllerDefinition> {
-        match self.require_force("force", force)? {
-            ForceDefinition::Controller(controller) => Ok(controller),
-            _ => {
-                let message = format!("force: {force} is no controller");
                 Err(Error::new(ErrorKind::NotAvailable, message))
             }
         }

@@ -22,9 +22,10 @@ use super::lanes::{ComplexLanes, LANES, Lanes};
 use super::layout::{Layout, Region};
 use super::mean::{Averages, MeanStrain, own_means, scaled_means};
 use super::resultants::Resultants;
+use super::transform::Transform;
 use crate::collocation::{Aliasing, Collocation, Tangent};
 use crate::error::Result;
-use crate::fourier::{Analysis, Synthesis};
+use crate::fourier::Analysis;
 use crate::system;
 use crate::workers::{Workers, parts};
 use nalgebra::{Complex, Matrix6};
@@ -34,28 +35,6 @@ use std::time::{Duration, Instant};
 pub(super) const LARGEST_BLOCK: usize = 240;
 /// Times that it is tried to eliminate what is beside joints that turn, each time less of it.
 pub(super) const NEIGHBOURS: usize = 3;
-
-/// Both ways over the grid.
-#[derive(Clone)]
-pub(super) struct Transform {
-    pub analysis: Analysis,
-    pub synthesis: Synthesis,
-}
-
-impl Transform {
-    pub fn new(points: usize) -> Self {
-        Transform {
-            analysis: Analysis::new(points),
-            synthesis: Synthesis::new(points),
-        }
-    }
-
-    /// Back to samples, times their number.
-    pub fn backward(&mut self) -> &[f64] {
-        self.synthesis.write(&mut self.analysis.samples);
-        &self.analysis.samples
-    }
-}
 
 /// The preconditioner, factored.
 pub(super) struct BodyCirculant {

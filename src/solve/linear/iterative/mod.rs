@@ -47,6 +47,7 @@ mod spread_means;
 mod spread_test;
 mod spread_time;
 mod time_local;
+mod transform;
 mod transport;
 mod transposed;
 mod trial;

@@ -13,8 +13,8 @@
 //! with `B` and `L` averaged over time. They are worth their memory because averages of a bent
 //! beam's stiffness, `Bᵀ L`, would stretch it where it bends. See docs/theory.md, section 8.4.
 
-use super::body_circulant::Transform;
 use super::mean::MeanStrain;
+use super::transform::Transform;
 use crate::collocation::{Collocation, Station, Tangent};
 use crate::system::Layout;
 use crate::workers::Workers;

@@ -3,7 +3,7 @@
 //! turn, which is small, is solved by all ranks alike.
 
 use super::block_lu::{BlockLanes, Scratch};
-use super::body_circulant::{LARGEST_BLOCK, NEIGHBOURS, Transform, scaled_aliasing_of};
+use super::body_circulant::{LARGEST_BLOCK, NEIGHBOURS, scaled_aliasing_of};
 use super::constraints::{Class, Joints, RowRotation, classify, keep_neighbours, turning_nodes};
 use super::lanes::{ComplexLanes, LANES, Lanes};
 use super::layout::Layout;
@@ -12,6 +12,7 @@ use super::resultants::Resultants;
 use super::spread::{COMPLEX, OwnPart, Series, Spread};
 use super::spread_joints::Closure;
 use super::spread_means::{gathered_aliasing, gathered_means, local_rotations};
+use super::transform::Transform;
 use crate::collocation::{Aliasing, Collocation, Halo, Item, Tangent};
 use crate::error::Result;
 use crate::fourier::TimeGrid;

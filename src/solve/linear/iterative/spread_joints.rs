@@ -2,13 +2,13 @@
 //! ranks solve it alike.
 
 use super::block_lu::BlockLanes;
-use super::body_circulant::Transform;
 use super::constraints::Class;
 use super::harmonic_band::Spectra;
 use super::interface::{Bounds, Interface, LEFT_OUT};
 use super::lanes::{ComplexLanes, LANES, Lanes};
 use super::layout::Layout;
 use super::spread::{COMPLEX, OwnPart, Spread};
+use super::transform::Transform;
 use crate::collocation::Item;
 use crate::error::Result;
 use crate::ranks::Ranks;
