@@ -5,6 +5,7 @@ use super::given::{self, Arrays};
 use super::promises::{check_numbers, check_status, last_message};
 use periodyn::capi::beam::*;
 use periodyn::capi::bushing::*;
+use periodyn::capi::controller::pdn_model_add_controller;
 use periodyn::capi::files::*;
 use periodyn::capi::force::*;
 use periodyn::capi::joint::*;
@@ -55,6 +56,8 @@ macro_rules! defaults {
     }};
 }
 
+mod shells;
+
 /// What there is to ask.
 struct Session<'a, 'b> {
     bytes: &'a mut Bytes<'b>,
@@ -96,6 +99,8 @@ impl Session<'_, '_> {
             9 => self.file(),
             10..=11 => self.solve(),
             12 => self.look(),
+            13 if self.bytes.below(3) == 0 => self.controller(),
+            13 => self.shell(),
             _ => self.ask(),
         }
     }
@@ -298,6 +303,33 @@ impl Session<'_, '_> {
             angles,
             &mut id,
         ))
+    }
+
+    /// Of up to two coordinates that it reads, and acts on, and of up to two states.
+    fn controller(&mut self) {
+        let [_, joints, ..] = self.counts();
+        let ids = [(); 4].map(|()| self.bytes.id(joints));
+        let coordinates = [(); 4].map(|()| self.coordinate());
+        let counts = [(); 3].map(|()| self.bytes.below(3));
+        let (initial, sizes) = (self.bytes.numbers::<2>(), self.bytes.positives::<2>());
+        let mut id = 0;
+        call!(pdn_model_add_controller(
+            self.model,
+            ids.as_ptr(),
+            coordinates.as_ptr(),
+            counts[0],
+            ids[2..].as_ptr(),
+            coordinates[2..].as_ptr(),
+            counts[1],
+            initial.as_ptr(),
+            sizes.as_ptr(),
+            counts[2],
+            self.bytes.constant(PDN_TANGENTS_DIFFERENCED, 2),
+            Some(given::controller),
+            null_mut(),
+            None,
+            &mut id,
+        ));
     }
 
     /// Where axes are turned by a quarter or not.

@@ -1,9 +1,11 @@
 //! What is given to the library: sections, signals, and functions that fail now and then.
 
 use super::bytes::Bytes;
+use periodyn::capi::controller::{pdn_controller_state, pdn_controller_values};
 use periodyn::capi::periodic::pdn_progress;
 use periodyn::capi::section::{pdn_section, pdn_section_init};
 use periodyn::capi::signal::{PDN_SIGNAL_HARMONICS, pdn_signal, pdn_signal_init};
+use periodyn::capi::surface_force::{pdn_surface_state, pdn_surface_values};
 use std::cell::Cell;
 use std::ffi::c_void;
 use std::ptr::null_mut;
@@ -60,6 +62,56 @@ pub unsafe extern "C" fn law(
     // SAFETY: the library gives a place for one number.
     unsafe { effort.write(x) };
     result
+}
+
+/// What is written to the first of some values in place of what was computed, and the result.
+///
+/// # Safety
+/// `values` has room for a number.
+unsafe fn spoil(how: u8, values: *mut f64) -> i32 {
+    if how >= 128 {
+        // SAFETY: the caller gives a place.
+        unsafe { values.write(f64::NAN) };
+    }
+    i32::from(how < 128)
+}
+
+/// Efforts by the sums of all that is read; states that follow it with a lag.
+pub unsafe extern "C" fn controller(
+    state: *const pdn_controller_state,
+    values: *mut pdn_controller_values,
+    _: *mut c_void,
+) -> i32 {
+    // SAFETY: the library gives both, with arrays as long as they tell; empty ones may be NULL.
+    unsafe {
+        let (state, values) = (&*state, &*values);
+        let sum = |at: *const f64, count| (0..count).map(|i| *at.add(i)).sum::<f64>();
+        let read = sum(state.inputs, state.input_count) + sum(state.input_rates, state.input_count);
+        let kept = sum(state.states, state.state_count);
+        for i in 0..values.output_count {
+            values.efforts.add(i).write(-0.3 * read - 0.1 * kept);
+        }
+        for i in 0..state.state_count {
+            values.state_rates.add(i).write(read - *state.states.add(i));
+        }
+        next().map_or(0, |how| spoil(how, values.efforts))
+    }
+}
+
+/// A drag on each point of a surface.
+pub unsafe extern "C" fn surface_force(
+    state: *const pdn_surface_state,
+    values: *mut pdn_surface_values,
+    _: *mut c_void,
+) -> i32 {
+    // SAFETY: the library gives both, with arrays as long as they tell.
+    unsafe {
+        let (state, values) = (&*state, &*values);
+        for i in 0..6 * state.point_count {
+            values.forces.add(i).write(-0.2 * *state.velocities.add(i));
+        }
+        next().map_or(0, |how| spoil(how, values.forces))
+    }
 }
 
 /// Lets solves go on for so many calls of [`progress`].
