@@ -5,14 +5,17 @@
 //! of its Newton steps.
 //!
 //!     cargo bench --bench shells [-- --case METHOD ELEMENTS NODES]
+//!
+//! And modes of thin square plates on fine meshes of few nodes a side, beside the figures of an
+//! independent program for the same meshes: `cargo bench --bench shells -- --modes`.
 
 mod common;
 
 use common::fits::{exponent, largest_memory};
-use common::models::shells::flapping_plate;
+use common::models::shells::{flapping_plate, square_plate};
 use common::table::Table;
-use periodyn::output::Solution;
-use periodyn::solve::{LinearMethod, Outcome, PeriodicOptions};
+use periodyn::output::{Modes, Solution};
+use periodyn::solve::{LinearMethod, ModesOptions, Outcome, PeriodicOptions};
 use std::process::Command;
 use std::time::{Duration, Instant};
 
@@ -94,8 +97,62 @@ fn record(method: &str, (elements, nodes): Size) -> Vec<String> {
     line.split(',').map(String::from).collect()
 }
 
+/// Whether a plate is clamped along an edge or free, nodes a side and elements, and its six lowest
+/// frequencies `ω a² √(ρh/D)` by another program.
+const FINE: [(bool, Size, [f64; 6]); 4] = [
+    (
+        true,
+        (2, 32),
+        [3.47632, 8.53416, 21.3086, 27.2423, 31.0615, 54.4958],
+    ),
+    (
+        true,
+        (3, 16),
+        [3.47256, 8.51171, 21.2916, 27.2104, 30.9958, 54.2968],
+    ),
+    (
+        false,
+        (2, 32),
+        [13.4673, 19.5900, 24.2589, 34.7797, 34.7797, 60.9994],
+    ),
+    (
+        false,
+        (3, 16),
+        [13.4686, 19.5961, 24.2700, 34.8123, 34.8123, 61.0896],
+    ),
+];
+
+/// Finds these modes.
+fn modes_of_plates() {
+    let titles = [
+        "clamped",
+        "nodes a side",
+        "elements a side",
+        "frequency",
+        "other program",
+    ];
+    let mut table = Table::new("shells_modes", &titles);
+    for (clamped, (nodes, elements), given) in FINE {
+        let (model, unit) = square_plate(1e-3, nodes, elements, clamped);
+        let rigid = if clamped { 0 } else { 6 };
+        let options = ModesOptions {
+            count: rigid + given.len(),
+            ..ModesOptions::default()
+        };
+        let modes = Modes::solve(&model, &options, &mut |_, _| true).unwrap();
+        assert_eq!(modes.outcome(), Outcome::Converged, "{}", modes.report());
+        for (mode, given) in modes.modes()[rigid..].iter().zip(given) {
+            let found = format!("{:.5}", mode.eigenvalue.im / unit);
+            table.row(cells![clamped, nodes, elements, found, given]);
+        }
+    }
+}
+
 fn main() {
     let arguments: Vec<String> = std::env::args().collect();
+    if arguments.iter().any(|a| a == "--modes") {
+        return modes_of_plates();
+    }
     if let Some(at) = arguments.iter().position(|a| a == "--case") {
         let count = |i: usize| arguments[at + i].parse().unwrap();
         run(&arguments[at + 1], count(2), count(3));

@@ -5,9 +5,9 @@ mod models;
 
 use models::parts::damped_section;
 use models::shells::*;
-use nalgebra::Vector3;
+use nalgebra::{Complex, Vector3};
 use periodyn::model::{Model, PatchEdge};
-use periodyn::output::{NodeQuantity, Solution};
+use periodyn::output::{Modes, NodeQuantity, Solution};
 use periodyn::solve::*;
 
 const SWING: f64 = 0.6;
@@ -23,6 +23,18 @@ fn solve((model, period): &(Model, f64), points: usize, linear: LinearMethod) ->
     println!("{report}");
     assert_eq!(solution.outcome(), Outcome::Converged, "{report}");
     solution
+}
+
+/// Where a periodic motion begins.
+fn start_of(solution: &Solution) -> StartState {
+    let solved = solution.details();
+    let at_start = |node: usize| &solved.states_of(node)[0];
+    let nodes = solved.system.nodes();
+    StartState {
+        motions: (0..nodes).map(|n| at_start(n).motion).collect(),
+        twists: (0..nodes).map(|n| at_start(n).twist).collect(),
+        internal: None,
+    }
 }
 
 #[test]
@@ -79,15 +91,8 @@ fn a_march_goes_round_to_its_error() {
     let plate = flapping_plate(SWING, [2, 1], 3);
     // Estimated error 1e-9.
     let solution = solve(&plate, 35, LinearMethod::Direct);
-    let solved = solution.details();
-    let at_start = |node: usize| &solved.states_of(node)[0];
-    let nodes = solved.system.nodes();
-    let start = StartState {
-        motions: (0..nodes).map(|n| at_start(n).motion).collect(),
-        twists: (0..nodes).map(|n| at_start(n).twist).collect(),
-        internal: None,
-    };
-    let tip = nodes - 2;
+    let start = start_of(&solution);
+    let tip = plate.0.node_count() - 2;
     // Half a period, at whose end the plate is on its other side.
     let (half, times) = (0.5 * plate.1, [0.0, 0.5 * plate.1]);
     let places = solution.node(tip, NodeQuantity::Position, &times).unwrap();
@@ -158,4 +163,59 @@ fn a_strip_without_contraction_is_a_beam() {
     println!("{beam_alike:e} {plate:e}");
     assert!(beam_alike < 1e-12, "{beam_alike:e}");
     assert!(plate > 1e-3 && plate < 3e-2, "{plate:e}");
+}
+
+#[test]
+fn the_slowest_multipliers_are_those_of_shooting() {
+    let plate = flapping_plate(SWING, [1, 1], 3);
+    let (model, period) = &plate;
+    let solution = solve(&plate, 35, LinearMethod::Direct);
+    let stability = solution
+        .solve_stability(&StabilityOptions::default())
+        .unwrap();
+    assert_eq!(stability.outcome, Outcome::Converged);
+    assert_eq!(stability.verdict, Verdict::Stable);
+    let exact = stability.multipliers[0].value;
+    assert!(exact.norm() > 0.5 && exact.im != 0.0, "{exact}");
+    let nearest = |all: Vec<Complex<f64>>| {
+        let distance = |z: &Complex<f64>| (z - exact).norm();
+        let nearer = |a: &Complex<f64>, b: &Complex<f64>| distance(a).total_cmp(&distance(b));
+        all.into_iter().min_by(nearer).unwrap()
+    };
+    let shot = |steps: usize| {
+        let options = ShootingOptions {
+            steps,
+            start: MarchStart::State(start_of(&solution)),
+            ..ShootingOptions::default()
+        };
+        let shot = Solution::solve_shooting(model, *period, &options, &mut |_, _| true).unwrap();
+        assert_eq!(shot.outcome(), Outcome::Converged, "{}", shot.report());
+        let Kind::Shooting { floquet, .. } = &shot.details().kind else {
+            panic!("{}", shot.report());
+        };
+        let floquet = floquet.iter().map(|z| Complex::new(z[0], z[1]));
+        nearest(floquet.collect()) - exact
+    };
+    let [coarse, fine] = [200, 400].map(shot);
+    // Of second order: without its h² next to nothing is left.
+    let left = ((fine * 4.0 - coarse) / 3.0).norm();
+    let [coarse, fine] = [coarse, fine].map(|z| z.norm());
+
+    // The swing changes them by far more than that: at rest they are others.
+    let (still, _) = flapping_plate(0.0, [1, 1], 3);
+    let modes = ModesOptions {
+        count: 2,
+        ..ModesOptions::default()
+    };
+    let modes = Modes::solve(&still, &modes, &mut |_, _| true).unwrap();
+    let all = modes.modes().iter().flat_map(|mode| {
+        let multiplier = (mode.eigenvalue * period).exp();
+        [multiplier, multiplier.conj()]
+    });
+    let moved = (nearest(all.collect()) - exact).norm();
+    println!("{exact:.8}: {coarse:.2e} {fine:.2e}, left {left:.2e}, moved {moved:.2e}");
+    assert!(
+        fine < 5e-3 && left < 0.05 * fine && moved > 50.0 * left,
+        "{coarse:e} {fine:e} {left:e} {moved:e}"
+    );
 }

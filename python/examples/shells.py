@@ -9,6 +9,7 @@ import sys
 
 import numpy as np
 from matplotlib import pyplot
+from matplotlib.ticker import MaxNLocator
 
 import periodyn as pdn
 
@@ -123,7 +124,10 @@ def draw(axes, title, before, after):
         axes.plot_surface(x, y, z, color=colour, alpha=strength, edgecolor="#333333",
                           linewidth=0.2 * strength, rstride=1, cstride=1)
     everything = np.concatenate([before.reshape(-1, 3), after.reshape(-1, 3)])
-    axes.set_box_aspect(np.maximum(np.ptp(everything, axis=0), 0.1 * np.ptp(everything)))
+    extents = np.ptp(everything, axis=0)
+    axes.set_box_aspect(np.maximum(extents, 0.1 * extents.max()))
+    for axis, extent in zip((axes.xaxis, axes.yaxis, axes.zaxis), extents):
+        axis.set_major_locator(MaxNLocator(1 + round(5 * extent / extents.max())))
     axes.set_title(title, fontsize=10)
     axes.tick_params(labelsize=6)
 

@@ -2,9 +2,9 @@
 
 use super::System;
 use super::constraints::name_all;
-use crate::elements::{Element, JointKind, LoadFrame, Shell};
-use crate::model::{JointDefinition, Model};
-use nalgebra::Vector3;
+use crate::elements::{Attachment, Element, JointKind, LoadFrame, Measure, Shell};
+use crate::model::{ForceDefinition, Model};
+use nalgebra::{Matrix3, Vector3};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// Warp of an element of two nodes a side, in thicknesses, beyond which it is far too stiff where
@@ -27,7 +27,7 @@ pub(super) fn warn_of_shells(model: &Model, system: &System, warnings: &mut Vec<
     }
     let mut single = couples_of_joints(model, &normals);
     single.extend(couples_of_beams(system, &normals));
-    single.extend(couples_of_loads(model, &normals));
+    single.extend(couples_of_loads(model, system, &normals));
     if !single.is_empty() {
         let nodes: Vec<usize> = single.into_iter().collect();
         warnings.push(format!(
@@ -55,24 +55,78 @@ fn warn_of_warp(system: &System, warnings: &mut Vec<String>) {
     }
 }
 
-/// Whether a joint passes a couple about a normal on: one rotation at most is free, about axis 3.
-fn passes(model: &Model, joint: &JointDefinition, normal: &Vector3<f64>) -> bool {
+/// Axes of a frame on a node or the ground.
+fn axes_of(model: &Model, end: &Attachment) -> Matrix3<f64> {
+    match end.node {
+        Some(node) => model.nodes[node].rotation * end.offset.rotation,
+        None => end.offset.rotation,
+    }
+}
+
+/// Whether a joint passes a couple about a normal on: all turns are held, or all but one about
+/// axis 3, on which nothing acts.
+fn joint_passes(model: &Model, number: usize, normal: &Vector3<f64>) -> bool {
+    let joint = &model.joints[number];
     match joint.kind {
         JointKind::Rigid | JointKind::Prismatic => true,
         JointKind::Revolute
         | JointKind::Cylindrical
         | JointKind::Planar
         | JointKind::Screw { .. } => {
-            let end = &joint.second;
-            let axes = match end.node {
-                Some(node) => model.nodes[node].rotation * end.offset.rotation,
-                None => end.offset.rotation,
-            };
+            let axes = axes_of(model, &joint.second);
             let cosine = axes.column(2).dot(normal).abs();
-            1.0 - cosine * cosine > ALONG * ALONG
+            1.0 - cosine * cosine > ALONG * ALONG || acts_on_angle(model, number)
         }
         _ => false,
     }
+}
+
+/// Whether an angle of a joint is prescribed or related to others, or carries an effort.
+fn acts_on_angle(model: &Model, joint: usize) -> bool {
+    let prescribed = model.prescribed.iter().map(|(at, _)| *at);
+    let relations = model.relations.iter().flat_map(|relation| &relation.terms);
+    let efforts = model.forces.iter().flat_map(|force| match force {
+        ForceDefinition::Controller(controller) => controller.outputs.clone(),
+        _ => force.at().into_iter().collect(),
+    });
+    let mut all = prescribed
+        .chain(relations.map(|(at, _)| *at))
+        .chain(efforts);
+    all.any(|at| at.joint == joint && at.coordinate.measure() == Measure::Angle)
+}
+
+/// Whether a bushing resists a turn about a normal.
+fn bushing_passes(force: &ForceDefinition, model: &Model, normal: &Vector3<f64>) -> bool {
+    let ForceDefinition::Bushing(bushing) = force else {
+        return false;
+    };
+    let about = axes_of(model, &bushing.first).tr_mul(normal);
+    let resists = |matrix: &nalgebra::Matrix6<f64>| {
+        let turns = matrix.fixed_view::<3, 3>(3, 3);
+        about.dot(&(turns * about)).abs() > ALONG * ALONG * turns.amax()
+    };
+    resists(&bushing.stiffness) || resists(&bushing.damping)
+}
+
+/// Whether a couple about the normal is passed on at a node of a shell.
+type Passes<'a> = Box<dyn Fn(&Vector3<f64>) -> bool + 'a>;
+
+/// Both ends of all joints and bushings, and whether they pass couples on.
+fn connections(model: &Model) -> impl Iterator<Item = ([Option<usize>; 2], Passes<'_>)> {
+    let joints = model.joints.iter().enumerate();
+    let joints = joints.filter(|(_, joint)| joint.kind.constraints() > 0);
+    let joints = joints.map(move |(number, joint)| {
+        let passes: Passes = Box::new(move |normal| joint_passes(model, number, normal));
+        ([joint.first.node, joint.second.node], passes)
+    });
+    let bushings = model.forces.iter().filter_map(move |force| match force {
+        ForceDefinition::Bushing(bushing) => {
+            let passes: Passes = Box::new(move |normal| bushing_passes(force, model, normal));
+            Some(([bushing.first.node, bushing.second.node], passes))
+        }
+        _ => None,
+    });
+    joints.chain(bushings)
 }
 
 /// Nodes of shells that alone are joined to the ground or to another node, so that a couple about
@@ -80,17 +134,13 @@ fn passes(model: &Model, joint: &JointDefinition, normal: &Vector3<f64>) -> bool
 fn couples_of_joints(model: &Model, normals: &HashMap<usize, Vector3<f64>>) -> BTreeSet<usize> {
     let mut joined: BTreeMap<Option<usize>, BTreeSet<usize>> = BTreeMap::new();
     let mut passed: BTreeMap<Option<usize>, BTreeSet<usize>> = BTreeMap::new();
-    for joint in &model.joints {
-        if joint.kind.constraints() == 0 {
-            continue;
-        }
-        let ends = [joint.first.node, joint.second.node];
+    for (ends, passes) in connections(model) {
         for (node, other) in [(ends[0], ends[1]), (ends[1], ends[0])] {
             let Some((node, normal)) = node.and_then(|n| Some((n, normals.get(&n)?))) else {
                 continue;
             };
             joined.entry(other).or_default().insert(node);
-            if passes(model, joint, normal) {
+            if passes(normal) {
                 passed.entry(other).or_default().insert(node);
             }
         }
@@ -114,8 +164,13 @@ fn couples_of_beams(system: &System, normals: &HashMap<usize, Vector3<f64>>) -> 
     shared.filter(|nodes| nodes.len() == 1).flatten().collect()
 }
 
-/// The node of a shell that alone carries a moment with a part about the normal.
-fn couples_of_loads(model: &Model, normals: &HashMap<usize, Vector3<f64>>) -> BTreeSet<usize> {
+/// Nodes of shells that carry a moment with a part about the normal, and no other node of their
+/// elements does.
+fn couples_of_loads(
+    model: &Model,
+    system: &System,
+    normals: &HashMap<usize, Vector3<f64>>,
+) -> BTreeSet<usize> {
     let mut loaded = BTreeSet::new();
     for load in &model.loads {
         let Some(normal) = normals.get(&load.node) else {
@@ -133,9 +188,16 @@ fn couples_of_loads(model: &Model, normals: &HashMap<usize, Vector3<f64>>) -> BT
             loaded.insert(load.node);
         }
     }
-    if loaded.len() == 1 {
-        loaded
-    } else {
-        BTreeSet::new()
+    if loaded.is_empty() {
+        return loaded;
     }
+    let mut alone = loaded.clone();
+    for shell in &system.shells {
+        let own = shell.nodes().iter().filter(|node| loaded.contains(node));
+        let own: Vec<&usize> = own.collect();
+        if own.len() > 1 {
+            own.into_iter().for_each(|node| _ = alone.remove(node));
+        }
+    }
+    alone
 }

@@ -106,3 +106,19 @@ pub fn swung(mut model: Model, nodes: &[usize], swing: f64) -> (Model, f64) {
     gravity(&mut model, [0.0, 0.0, -9.81]);
     (model, 1.6)
 }
+
+/// A square plate of unit sides and this thickness, Poisson's ratio 0.3, clamped along an edge or
+/// free; and the unit of its frequencies, `√(D / (ρh a⁴))`.
+pub fn square_plate(h: f64, nodes: usize, elements: usize, clamped: bool) -> (Model, f64) {
+    let (nu, young, density) = (0.3, 1e6, 1.0);
+    let section = IsotropicShell::new(h, young, nu, density);
+    let section = section.section().unwrap();
+    let mut model = Model::new();
+    let mesh = mesh([elements, elements], [nodes, nodes]);
+    let patch = add_strip(&mut model, [1.0, 1.0], &section, &mesh);
+    if clamped {
+        clamp_edge(&mut model, &patch.edge(PatchEdge::StartU));
+    }
+    let bending = young * h * h * h / (12.0 * (1.0 - nu * nu));
+    (model, (bending / (density * h)).sqrt())
+}
