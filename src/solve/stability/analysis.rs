@@ -237,8 +237,16 @@ impl Analysis<'_> {
     /// how accurate it is.
     fn suffices(&self, now: &Spectrum, (fewer, steps): (usize, usize)) -> bool {
         let gain = gain(steps as f64 / fewer as f64);
-        let most = now.fastest(self.highest, self.tolerance);
-        most <= self.resolved(fewer, gain * self.tolerance)
+        let resolves = |(frequency, size): (f64, f64)| {
+            frequency <= self.resolved(fewer, gain * self.tolerance_of(size))
+        };
+        now.modes(self.highest).all(resolves)
+    }
+
+    /// Error of the method that is allowed to a mode with a multiplier of this size, relative to
+    /// it.
+    fn tolerance_of(&self, size: f64) -> f64 {
+        (self.tolerance / size.min(1.0)).min(SEEN.max(self.tolerance))
     }
 
     /// The number of steps to go on with.
@@ -247,8 +255,11 @@ impl Analysis<'_> {
         if self.states <= FIRST {
             return most;
         }
-        let angle = self.angle(now.fastest(self.highest, self.tolerance));
-        let wanted = self.resolution.steps(angle, self.tolerance);
+        let of_mode = |(frequency, size): (f64, f64)| {
+            let tolerance = self.tolerance_of(size);
+            self.resolution.steps(self.angle(frequency), tolerance)
+        };
+        let wanted = now.modes(self.highest).map(of_mode).max().unwrap_or(0);
         let wanted = (wanted * FEWER[1]).div_ceil(FEWER[0]) | 1;
         // As many as that were not enough where these are fewer.
         match wanted > steps {

@@ -357,11 +357,11 @@ impl Spectrum {
         errors.fold(0.0, f64::max)
     }
 
-    /// Largest frequency, up to the `highest`, of modes with multipliers no smaller than `least`.
-    pub fn fastest(&self, highest: f64, least: f64) -> f64 {
+    /// Frequencies, up to the `highest`, of the modes, each with the size of its multiplier.
+    pub fn modes(&self, highest: f64) -> impl Iterator<Item = (f64, f64)> {
         let all = self.frequencies.iter().zip(&self.values);
-        let counts = all.filter(|(f, value)| f.abs() <= highest && value.norm() >= least);
-        counts.fold(0.0, |most, (f, _)| most.max(f.abs()))
+        let sizes = all.map(|(frequency, value)| (frequency.abs(), value.norm()));
+        sizes.filter(move |mode| mode.0 <= highest)
     }
 
     /// Adds an error, relative to multipliers that are larger than 1, to all.
