@@ -111,15 +111,26 @@ impl GridState {
         other: TimeGrid,
         workers: &Workers,
     ) -> Result<GridState> {
-        let points = other.points();
         let resampling = Resampling::between(grid, start, other);
         let nodes = ResampledNodes::new(system, &resampling, self, workers)?;
+        let own = self.resampled_own(system, &resampling);
+        Ok(self.made_of(system, &resampling, (&nodes, &own), other))
+    }
+
+    /// The same, of what was resampled.
+    pub(super) fn made_of(
+        &self,
+        system: &System,
+        resampling: &Resampling,
+        (nodes, own): (&ResampledNodes, &ResampledOwn),
+        other: TimeGrid,
+    ) -> GridState {
+        let (points, before) = (other.points(), resampling.grid().points());
         let mut result = GridState::reference(system, other);
         result.scalars.clone_from(&self.scalars);
         for (motion, state) in result.motions.iter_mut().zip(&nodes.states) {
             *motion = state.motion;
         }
-        let own = self.resampled_own(system, &resampling);
         for placed in system.elements() {
             for k in 0..points {
                 let values = result.own_of_mut(placed, k);
@@ -133,12 +144,12 @@ impl GridState {
         for k in 0..points {
             let turns = resampling.pseudo(k);
             // Written so that rounding does not go a point back.
-            let place = (turns - turns.floor()) * grid.points() as f64 * (1.0 + 1e-12);
-            let before = (place as usize).min(grid.points() - 1);
-            result.coordinates[k * count..][..count].copy_from_slice(self.tracked(system, before));
+            let place = (turns - turns.floor()) * before as f64 * (1.0 + 1e-12);
+            let last = (place as usize).min(before - 1);
+            result.coordinates[k * count..][..count].copy_from_slice(self.tracked(system, last));
         }
         result.track(system);
-        Ok(result)
+        result
     }
 
     /// Own unknowns of elements where `resampling` goes from its grid.

@@ -42,10 +42,12 @@ impl Stages {
         let stage = |place: f64| {
             let start = place / count as f64;
             let resampling = Resampling::between(grid, start, steps);
+            let nodes = ResampledNodes::new(system, &resampling, state, workers)?;
+            let own = state.resampled_own(system, &resampling);
             Ok(Stage {
-                nodes: ResampledNodes::new(system, &resampling, state, workers)?,
-                state: state.resampled(system, grid, start, steps, workers)?,
-                own: state.resampled_own(system, &resampling),
+                state: state.made_of(system, &resampling, (&nodes, &own), steps),
+                nodes,
+                own,
             })
         };
         Ok(Stages {

@@ -84,13 +84,13 @@ impl<L: LinearSolver> Bordered<L> {
         state: &GridState,
         timings: &mut Timings,
     ) -> Result<bool> {
+        self.borders = timed(&mut timings.assembly, || Borders::at(equations, state))?;
         if self.inner.tangent().is_some() {
-            return self.linearise(equations, state, timings);
+            return self.factor(equations, state, timings, true);
         }
         self.eliminates = false;
         self.at = Some(state.clone());
         self.is_evaluated = false;
-        self.borders = timed(&mut timings.assembly, || Borders::at(equations, state))?;
         self.prepare_elimination(equations, COARSE, timings)
     }
 
@@ -109,23 +109,29 @@ impl<L: LinearSolver> Bordered<L> {
         self.borders.product(x, y);
     }
 
-    /// Factors `J` at `state`, between the present borders.
+    /// Factors `J` at `state`, between the present borders; if that is `near` to where they were
+    /// linearised last, as far as that is needed.
     fn factor(
         &mut self,
         equations: &mut Collocation,
         state: &GridState,
         timings: &mut Timings,
+        mut near: bool,
     ) -> Result<bool> {
         self.at = Some(state.clone());
         self.is_evaluated = false;
         self.borders.forget_elimination();
         let inner = &mut self.inner;
         loop {
-            let regular = inner.linearise(equations, state, timings)?;
+            let regular = match near {
+                true => inner.move_to(equations, state, timings)?,
+                false => inner.linearise(equations, state, timings)?,
+            };
             // Written so that NaN is singular.
             let certain = regular && inner.growth(equations) <= SUSPECT;
             if equations.grounding() == 0.0 && !certain {
                 equations.ground(GROUNDING);
+                near = false;
                 continue;
             }
             self.determined = regular;
@@ -275,7 +281,7 @@ impl<L: LinearSolver> LinearSolver for Bordered<L> {
         timings: &mut Timings,
     ) -> Result<bool> {
         self.borders = timed(&mut timings.assembly, || Borders::at(equations, state))?;
-        self.factor(equations, state, timings)
+        self.factor(equations, state, timings, false)
     }
 
     fn solve(

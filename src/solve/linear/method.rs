@@ -311,6 +311,41 @@ impl Linear {
         Ok(())
     }
 
+    /// Linearises, for iteration as `iterate` does.
+    fn linearise_with(
+        &mut self,
+        equations: &mut Collocation,
+        state: &GridState,
+        timings: &mut Timings,
+        iterate: impl Fn(&mut Iterative, &mut Collocation, &mut Timings) -> Result<bool>,
+    ) -> Result<bool> {
+        if self.falls_back {
+            self.last = Some(state.clone());
+            self.products = 0;
+        }
+        if let Active::Direct(direct) = &mut self.active {
+            let regular = direct.linearise(equations, state, timings);
+            if !self.refused(&regular) {
+                return regular;
+            }
+            self.give_up_factors(equations);
+        }
+        let (done, suspect) = match &mut self.active {
+            Active::Direct(direct) => return direct.linearise(equations, state, timings),
+            Active::Iterative(iterative) => (
+                iterate(iterative, equations, timings)?,
+                // Factors will tell whether it is singular.
+                self.falls_back && iterative.growth(equations) > iterative.suspect,
+            ),
+        };
+        if done && !suspect {
+            return Ok(true);
+        }
+        let regular = self.fall_back(equations, timings)?;
+        let is_direct = matches!(self.active, Active::Direct(_));
+        Ok(if is_direct { regular } else { done })
+    }
+
     /// Gives iteration up for factors.
     fn fall_back(&mut self, equations: &mut Collocation, timings: &mut Timings) -> Result<bool> {
         let (Active::Iterative(iterative), Some(state), true) =
@@ -340,31 +375,20 @@ impl LinearSolver for Linear {
         state: &GridState,
         timings: &mut Timings,
     ) -> Result<bool> {
-        if self.falls_back {
-            self.last = Some(state.clone());
-            self.products = 0;
-        }
-        if let Active::Direct(direct) = &mut self.active {
-            let regular = direct.linearise(equations, state, timings);
-            if !self.refused(&regular) {
-                return regular;
-            }
-            self.give_up_factors(equations);
-        }
-        let (done, suspect) = match &mut self.active {
-            Active::Direct(direct) => return direct.linearise(equations, state, timings),
-            Active::Iterative(iterative) => (
-                iterative.linearise(equations, state, timings)?,
-                // Factors will tell whether it is singular.
-                self.falls_back && iterative.growth(equations) > iterative.suspect,
-            ),
-        };
-        if done && !suspect {
-            return Ok(true);
-        }
-        let regular = self.fall_back(equations, timings)?;
-        let is_direct = matches!(self.active, Active::Direct(_));
-        Ok(if is_direct { regular } else { done })
+        self.linearise_with(equations, state, timings, |solver, equations, timings| {
+            solver.linearise(equations, state, timings)
+        })
+    }
+
+    fn move_to(
+        &mut self,
+        equations: &mut Collocation,
+        state: &GridState,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        self.linearise_with(equations, state, timings, |solver, equations, timings| {
+            solver.move_to(equations, state, timings)
+        })
     }
 
     fn solve(

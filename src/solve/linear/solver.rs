@@ -25,6 +25,20 @@ pub(crate) trait LinearSolver {
         timings: &mut Timings,
     ) -> Result<bool>;
 
+    /// As [`LinearSolver::linearise`], near to where they were linearised last: what only
+    /// preconditions an iteration may be kept.
+    ///
+    /// # Errors
+    /// As there.
+    fn move_to(
+        &mut self,
+        equations: &mut Collocation,
+        state: &GridState,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        self.linearise(equations, state, timings)
+    }
+
     /// Solves the scaled equations in place; errors relative to the solution may be of the order of
     /// `accuracy`. `false` if that cannot be done.
     ///

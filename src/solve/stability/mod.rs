@@ -1,6 +1,7 @@
 //! Stability of periodic solutions: what a small disturbance is multiplied by in a period.
 //! See docs/theory.md, section 12.4.
 
+mod analysis;
 mod hill;
 mod judgement;
 mod period_map;
@@ -11,11 +12,11 @@ mod step_map;
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::solve::report::Outcome;
 use crate::solve::result::{Kind, Solved};
+pub(crate) use crate::solve::stability::analysis::Experience;
+use crate::solve::stability::analysis::find;
 use crate::solve::stability::hill::exponents;
-use crate::solve::stability::judgement::{Judgement, judge, judge_exponents};
-use crate::solve::stability::period_map::PeriodMap;
-use crate::solve::stability::resolution::Resolution;
-use crate::solve::stability::spectrum::{FIRST, Rough, Spectrum, spectrum};
+use crate::solve::stability::judgement::judge_exponents;
+use crate::solve::stability::spectrum::Spectrum;
 use crate::solve::watch::{Stage, Watch, Watching};
 use crate::workers::Workers;
 use nalgebra::Complex;
@@ -25,17 +26,6 @@ use std::time::{Duration, Instant};
 
 /// Frequencies that matter unless others are asked for, in those of the period.
 const HARMONICS: f64 = 20.0;
-/// Steps of the first try at least,
-const FEWEST_STEPS: usize = 5;
-/// and where not all disturbances are followed: what few steps do not resolve they do not kill.
-const FEWEST_OF_LARGE: usize = 17;
-/// Errors with the steps of a motion nearby are taken for so many times larger than they were
-/// there, where steps were halved.
-const MARGIN: f64 = 100.0;
-/// So many motions in a row rely on what one has taken.
-const MOST_REUSED: usize = 8;
-/// More steps to a period are not tried.
-const MOST_STEPS: usize = 3001;
 
 /// How multipliers are found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -275,169 +265,6 @@ fn validate(solve: &Solved, options: &StabilityOptions) -> Result<()> {
         }
     }
     Ok(())
-}
-
-/// Finds them with as many steps as a motion nearby has taken, or else as many as they need.
-fn find(
-    solve: &Solved,
-    options: &StabilityOptions,
-    before: &mut Option<Experience>,
-    watching: &Watching,
-) -> Result<Stability> {
-    let analysis = Analysis {
-        solve,
-        tolerance: options.tolerance,
-        highest: options.highest(solve.grid.period()),
-        states: state_count(solve),
-        resolution: Resolution::new(),
-        watching,
-    };
-    if let Some(known) = before
-        && let Some(found) = analysis.with_known_steps(known)?
-    {
-        known.reused += 1;
-        return Ok(found);
-    }
-    *before = None;
-    let Some(found) = analysis.with_enough_steps()? else {
-        return Ok(Stability::unknown(solve, Outcome::Singular));
-    };
-    *before = Some(Experience {
-        steps: found.steps,
-        count: found.spectrum.count(),
-        error: found.spectrum.worst(analysis.highest, options.tolerance),
-        all: found.all,
-        reused: 0,
-    });
-    let Found {
-        judgement,
-        spectrum,
-        steps,
-        ..
-    } = found;
-    Ok(judgement.stability(solve, spectrum, analysis.states, steps))
-}
-
-/// What the multipliers of a motion have taken.
-#[derive(Debug, Clone)]
-pub(crate) struct Experience {
-    steps: usize,
-    /// Number of the multipliers that were followed.
-    count: usize,
-    /// Largest error that counts.
-    error: f64,
-    /// Whether these are all that there are, and resolved.
-    all: bool,
-    /// How often it was relied on.
-    reused: usize,
-}
-
-/// What is looked for.
-struct Analysis<'a> {
-    solve: &'a Solved,
-    tolerance: f64,
-    highest: f64,
-    states: usize,
-    resolution: Resolution,
-    watching: &'a Watching,
-}
-
-impl Analysis<'_> {
-    fn spectrum(&self, steps: usize, guess: usize) -> Result<Option<Spectrum>> {
-        self.watching.grid(steps);
-        let workers = Workers::default().telling(self.watching.pulse());
-        let mut map = PeriodMap::new(self.solve, steps, &workers)?;
-        spectrum(&mut map, self.states, guess, self.solve)
-    }
-
-    /// Angular frequency of modes up to which so many steps resolve them.
-    fn resolved(&self, steps: usize) -> f64 {
-        self.resolution.angle(steps, self.tolerance) / self.solve.grid.period()
-    }
-
-    /// The result with the steps of a motion nearby, where errors like those are small enough.
-    fn with_known_steps(&self, known: &Experience) -> Result<Option<Stability>> {
-        let error = MARGIN * known.error;
-        if known.reused >= MOST_REUSED || error > self.tolerance {
-            return Ok(None);
-        }
-        let Some(mut now) = self.spectrum(known.steps, known.count)? else {
-            return Ok(None);
-        };
-        now.add_error(error, self.tolerance);
-        let limit = match known.all && now.count() == self.states {
-            true => f64::INFINITY,
-            false => self.resolved(known.steps),
-        };
-        let judgement = judge(&now, limit, self.highest, self.tolerance);
-        // What is not clear is looked at more closely.
-        let is_clear = judgement.resolved && judgement.is_known();
-        Ok(is_clear.then(|| judgement.stability(self.solve, now, self.states, known.steps)))
-    }
-
-    /// Halves the steps until the multipliers stand still; none if a step is singular.
-    fn with_enough_steps(&self) -> Result<Option<Found>> {
-        let period = self.solve.grid.period();
-        let mut steps = (self.solve.grid.points() / 8).max(FEWEST_STEPS) | 1;
-        if self.states > FIRST {
-            // Those that are left out are to be far above the highest frequency.
-            let wanted = (self.resolution).steps(self.highest * period, self.tolerance);
-            steps = steps
-                .max((wanted / 2 + 1) | 1)
-                .clamp(FEWEST_OF_LARGE, (MOST_STEPS / 2 - 1) | 1);
-        }
-        let mut before: Vec<Rough> = Vec::new();
-        let mut best: Option<Found> = None;
-        loop {
-            let Some(mut now) = self.spectrum(steps, before.len())? else {
-                return Ok(None);
-            };
-            let rough = now.rough();
-            if !before.is_empty() {
-                let all_resolved = now.compare(&before, TAU / period, self.tolerance);
-                let resolved = self.resolved(steps);
-                let all = all_resolved && now.count() == self.states;
-                let limit = if all { f64::INFINITY } else { resolved };
-                let judgement = judge(&now, limit, self.highest, self.tolerance);
-                let (reach, error) = (judgement.reach(self.highest), now.worst(self.highest, 0.0));
-                let better =
-                    |best: &Found| reach > best.reach || reach == best.reach && error < best.error;
-                // Rounding grows with the number of steps.
-                let stands = |best: &Found| {
-                    reach <= best.reach && error > 0.5 * best.error && resolved >= self.highest
-                };
-                let is_last = judgement.resolved || best.as_ref().is_some_and(stands);
-                if best.as_ref().is_none_or(better) {
-                    best = Some(Found {
-                        judgement,
-                        spectrum: now,
-                        steps,
-                        reach,
-                        error,
-                        all,
-                    });
-                }
-                if is_last || 2 * steps - 1 > MOST_STEPS {
-                    return Ok(best);
-                }
-            }
-            before = rough;
-            steps = 2 * steps - 1;
-        }
-    }
-}
-
-/// What came with some number of steps.
-struct Found {
-    judgement: Judgement,
-    spectrum: Spectrum,
-    steps: usize,
-    /// Frequency up to which multipliers are known, of that which was asked for.
-    reach: f64,
-    /// Largest error that counts.
-    error: f64,
-    /// Whether these are all multipliers that there are, and resolved.
-    all: bool,
 }
 
 /// Finds exponents from the equations on the grid.

@@ -4,7 +4,6 @@ use crate::collocation::{RadauWeights, STAGES};
 use faer::Mat;
 use faer::linalg::solvers::{PartialPivLu, Solve};
 use nalgebra::Complex;
-use std::f64::consts::TAU;
 
 /// Angles of a mode in one step that are looked at: multiples of this up to the largest.
 const FINENESS: f64 = 0.05;
@@ -41,7 +40,7 @@ impl Resolution {
 
     /// Steps that resolve a mode of this angle in a period.
     pub fn steps(&self, angle: f64, tolerance: f64) -> usize {
-        let mut steps = (angle / TAU).max(1.0);
+        let mut steps = (angle / LARGEST).max(1.0);
         while steps < 1e6 && self.angle(steps as usize, tolerance) < angle {
             steps *= GROWTH;
         }

@@ -23,9 +23,9 @@ const CLEANING: usize = 4;
 /// What is left of a disturbance that has died away in that part, and of one that never was.
 const DEAD: f64 = 1e-10;
 const NOTHING: f64 = 1e-13;
-/// Errors of multipliers fall by more than this from one number of steps to twice as many, where
-/// these begin to resolve them: by 4 to 20 where blades swing far, though by 2¹⁷ in the end.
-const GAIN: f64 = 10.0;
+/// Errors of multipliers fall by this power of the number of steps at least, where these begin to
+/// resolve them: with twice as many by 4 to 20 where blades swing far, though by 2¹⁷ in the end.
+const ORDER: f64 = 3.46;
 /// Most memory for the shapes of modes, in bytes.
 const MOST_MEMORY: usize = 1 << 32;
 /// Relative difference of multipliers that the steps resolve from those by half as many.
@@ -50,8 +50,12 @@ pub(super) struct Spectrum {
     /// Angular frequency of each over the period, with the sign of its turning.
     pub frequencies: Vec<f64>,
     pub errors: Vec<f64>,
+    /// What of them is rounding.
+    rounding: Vec<f64>,
     /// Whether the mode is a motion in time or space.
     pub shifts: Vec<bool>,
+    /// Disturbances at the start that were followed; scaled.
+    pub basis: Mat<f64>,
     /// Of each, the part of each disturbance that was followed: real and imaginary parts.
     parts: [Mat<f64>; 2],
     /// Increments of the nodes at the end of each step, of each disturbance; scaled.
@@ -64,11 +68,19 @@ impl Default for Spectrum {
             values: Vec::new(),
             frequencies: Vec::new(),
             errors: Vec::new(),
+            rounding: Vec::new(),
             shifts: Vec::new(),
+            basis: Mat::new(),
             parts: [Mat::new(), Mat::new()],
             samples: Vec::new(),
         }
     }
+}
+
+/// How many times larger than the error is the difference of multipliers from those by so many
+/// times fewer steps, at least.
+pub(super) fn gain(ratio: f64) -> f64 {
+    ratio.powf(ORDER) - 1.0
 }
 
 /// The spectrum of a period map of at most so many `states`; none if steps are singular.
@@ -78,9 +90,18 @@ pub(super) fn spectrum(
     guess: usize,
     solve: &Solved,
 ) -> Result<Option<Spectrum>> {
-    let Some(basis) = basis(map, states, guess)? else {
-        return Ok(None);
-    };
+    match basis(map, states, guess)? {
+        Some(basis) => within(map, basis, solve),
+        None => Ok(None),
+    }
+}
+
+/// The spectrum of a period map within a basis of disturbances; none if steps are singular.
+pub(super) fn within(
+    map: &mut PeriodMap,
+    basis: Mat<f64>,
+    solve: &Solved,
+) -> Result<Option<Spectrum>> {
     let (count, steps) = (basis.ncols(), map.steps());
     let nodes = solve.system.nodes();
     if 12 * nodes * count * steps * size_of::<f64>() > MOST_MEMORY {
@@ -110,8 +131,11 @@ pub(super) fn spectrum(
         return Ok(None);
     };
     let part = |of: fn(c64) -> f64| Mat::from_fn(count, count, |i, j| of(vectors[(i, j)]));
+    let rounding = rounding(&square, &vectors, steps);
     let mut found = Spectrum {
-        errors: rounding(&square, &vectors, steps),
+        basis,
+        errors: rounding.clone(),
+        rounding,
         parts: [part(|z| z.re), part(|z| z.im)],
         samples,
         values,
@@ -333,6 +357,13 @@ impl Spectrum {
         errors.fold(0.0, f64::max)
     }
 
+    /// Frequencies, up to the `highest`, of the modes, each with the size of its multiplier.
+    pub fn modes(&self, highest: f64) -> impl Iterator<Item = (f64, f64)> {
+        let all = self.frequencies.iter().zip(&self.values);
+        let sizes = all.map(|(frequency, value)| (frequency.abs(), value.norm()));
+        sizes.filter(move |mode| mode.0 <= highest)
+    }
+
     /// Adds an error, relative to multipliers that are larger than 1, to all.
     pub fn add_error(&mut self, error: f64, tolerance: f64) {
         for (value, own) in self.values.iter().zip(&mut self.errors) {
@@ -344,9 +375,16 @@ impl Spectrum {
         }
     }
 
-    /// Estimates errors by what came with half as many steps. Whether all are so alike that the
-    /// steps resolve them.
-    pub fn compare(&mut self, before: &[Rough], harmonic: f64, tolerance: f64) -> bool {
+    /// Estimates errors anew by what came with fewer steps, of which there are `ratio` times as
+    /// many now. Whether all are so alike that the steps resolve them.
+    pub fn compare(
+        &mut self,
+        (before, ratio): (&[Rough], f64),
+        harmonic: f64,
+        tolerance: f64,
+    ) -> bool {
+        let gain = gain(ratio);
+        self.errors.clone_from(&self.rounding);
         let mut taken = vec![false; before.len()];
         let mut all = true;
         for j in 0..self.count() {
@@ -366,7 +404,7 @@ impl Spectrum {
                 _ if value.norm() < tolerance => self.errors[j] += value.norm(),
                 Some(i) => {
                     taken[i] = true;
-                    self.errors[j] += difference / GAIN;
+                    self.errors[j] += difference / gain;
                 }
                 None => self.errors[j] += 1.0,
             }

@@ -284,6 +284,23 @@ impl Iterative {
 }
 
 impl Iterative {
+    /// Evaluates the operator at a state; factors are those of another one then.
+    fn evaluate(
+        &mut self,
+        equations: &mut Collocation,
+        state: &GridState,
+        timings: &mut Timings,
+    ) -> Result<()> {
+        self.release();
+        timed(&mut timings.assembly, || {
+            self.tangent.evaluate(equations, state)
+        })?;
+        self.is_old = true;
+        self.transposed = None;
+        self.eliminated = None;
+        Ok(())
+    }
+
     /// Solves the equations, or those between borders.
     fn iterate(
         &mut self,
@@ -377,13 +394,7 @@ impl LinearSolver for Iterative {
         state: &GridState,
         timings: &mut Timings,
     ) -> Result<bool> {
-        self.release();
-        timed(&mut timings.assembly, || {
-            self.tangent.evaluate(equations, state)
-        })?;
-        self.is_old = true;
-        self.transposed = None;
-        self.eliminated = None;
+        self.evaluate(equations, state, timings)?;
         if let Some(factors) = &self.factors
             && !factors.are_cheap(equations.size())
         {
@@ -393,6 +404,19 @@ impl LinearSolver for Iterative {
             self.candidates = timed(&mut timings.preconditioner, || self.choose(equations));
         }
         self.prepare(equations, timings)
+    }
+
+    fn move_to(
+        &mut self,
+        equations: &mut Collocation,
+        state: &GridState,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        if self.factors.is_none() {
+            return self.linearise(equations, state, timings);
+        }
+        self.evaluate(equations, state, timings)?;
+        Ok(true)
     }
 
     fn solve(
