@@ -29,6 +29,9 @@ use crate::solve::report::{Timings, timed};
 
 /// Scaled stiffness of the nodes against the ground.
 pub(crate) const GROUNDING: f64 = 1e-7;
+/// The same where factors with less do not serve: a turn and its momentum, both of which nothing
+/// holds, make solutions grow with the inverse of its square.
+const FIRMER: f64 = 1e-5;
 /// Growth of `J` that asks for it.
 const SUSPECT: f64 = 1e12;
 /// Most products of a linear solve, and vectors that are kept.
@@ -119,8 +122,8 @@ impl<L: LinearSolver> Bordered<L> {
         self.at = Some(state.clone());
         self.is_evaluated = false;
         self.borders.forget_elimination();
-        let inner = &mut self.inner;
         loop {
+            let inner = &mut self.inner;
             let regular = inner.linearise(equations, state, timings)?;
             // Written so that NaN is singular.
             let certain = regular && inner.growth(equations) <= SUSPECT;
@@ -139,6 +142,12 @@ impl<L: LinearSolver> Bordered<L> {
             }
             if regular && !iterates {
                 self.determined = self.prepare_elimination(equations, SHARPEST, timings)?;
+            }
+            let blames_none = self.borders.undetermined.is_none();
+            if equations.grounding() == GROUNDING && !self.determined && blames_none {
+                equations.ground(FIRMER);
+                self.borders.forget_elimination();
+                continue;
             }
             return Ok(regular && self.determined);
         }
