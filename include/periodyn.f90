@@ -193,6 +193,7 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_NUMBER_SHELL_MASS = 3610
     integer(c_int32_t), parameter :: PDN_NUMBER_SHELL_DAMPING = 3611
     integer(c_int32_t), parameter :: PDN_NUMBER_SHELL_THICKNESS = 3612
+    integer(c_int32_t), parameter :: PDN_NUMBER_FRAME_RATE = 3613
     integer(c_int32_t), parameter :: PDN_SIGNAL_OF_ACTUATOR = 3700
     integer(c_int32_t), parameter :: PDN_SIGNAL_OF_PRESCRIBED = 3701
     integer(c_int32_t), parameter :: PDN_SIGNAL_OF_LOAD = 3702
@@ -1443,6 +1444,27 @@ module periodyn_c
             integer(c_size_t), value :: count
             integer(c_int32_t) :: pdn_model_add_load_at_places
         end function pdn_model_add_load_at_places
+
+        ! Describes everything in a frame that turns about a fixed axis at a constant rate, in place of any set ...
+        function pdn_model_set_turning_frame(model, axis, rate, &
+            point) bind(C, name="pdn_model_set_turning_frame")
+            import
+            type(c_ptr), value :: model
+            real(c_double), intent(in) :: axis(*)
+            real(c_double), value :: rate
+            real(c_double), intent(in), optional :: point(*)
+            integer(c_int32_t) :: pdn_model_set_turning_frame
+        end function pdn_model_set_turning_frame
+
+        ! The frame that a model is described in, if it turns
+        function pdn_model_turning_frame(model, axis, rate, point) bind(C, name="pdn_model_turning_frame")
+            import
+            type(c_ptr), value :: model
+            real(c_double), intent(inout) :: axis(*)
+            real(c_double), intent(inout) :: rate
+            real(c_double), intent(inout) :: point(*)
+            integer(c_int32_t) :: pdn_model_turning_frame
+        end function pdn_model_turning_frame
 
         ! Makes a surface that is still to be set
         subroutine pdn_surface_init(surface, struct_size) bind(C, name="pdn_surface_init")
@@ -2873,6 +2895,25 @@ module periodyn_c
             type(c_ptr), value :: conditions
             integer(c_int32_t) :: pdn_conditions_add_phase
         end function pdn_conditions_add_phase
+
+        ! Adds the condition on the phase of a rotation: in the mean over the period and all nodes, the motion is ...
+        function pdn_conditions_add_rotation_phase(conditions, axis, &
+            point) bind(C, name="pdn_conditions_add_rotation_phase")
+            import
+            type(c_ptr), value :: conditions
+            real(c_double), intent(in) :: axis(*)
+            real(c_double), intent(in), optional :: point(*)
+            integer(c_int32_t) :: pdn_conditions_add_rotation_phase
+        end function pdn_conditions_add_rotation_phase
+
+        ! Adds the condition on the phase of a translation: in the mean over the period and all nodes, the motion is ...
+        function pdn_conditions_add_translation_phase(conditions, &
+            direction) bind(C, name="pdn_conditions_add_translation_phase")
+            import
+            type(c_ptr), value :: conditions
+            real(c_double), intent(in) :: direction(*)
+            integer(c_int32_t) :: pdn_conditions_add_translation_phase
+        end function pdn_conditions_add_translation_phase
 
         ! Adds the condition that the mean, a harmonic, or the value at a time, of a quantity is this: trim
         function pdn_conditions_add_quantity(conditions, quantity, feature, at, value, &

@@ -29,8 +29,8 @@ use crate::solve::report::{Timings, timed};
 
 /// Scaled stiffness of the nodes against the ground.
 pub(crate) const GROUNDING: f64 = 1e-7;
-/// The same where factors with less do not serve: a turn and its momentum, both of which nothing
-/// holds, make solutions grow with the inverse of its square.
+/// The same where the iteration with less does not end: of a turn and its momentum, both of which
+/// nothing holds, solutions grow with the inverse of its square.
 const FIRMER: f64 = 1e-5;
 /// Growth of `J` that asks for it.
 const SUSPECT: f64 = 1e12;
@@ -142,12 +142,6 @@ impl<L: LinearSolver> Bordered<L> {
             }
             if regular && !iterates {
                 self.determined = self.prepare_elimination(equations, SHARPEST, timings)?;
-            }
-            let blames_none = self.borders.undetermined.is_none();
-            if equations.grounding() == GROUNDING && !self.determined && blames_none {
-                equations.ground(FIRMER);
-                self.borders.forget_elimination();
-                continue;
             }
             return Ok(regular && self.determined);
         }
@@ -304,7 +298,17 @@ impl<L: LinearSolver> LinearSolver for Bordered<L> {
         if at_once.is_some() {
             rhs.copy_from_slice(&self.kept);
         }
-        self.solve_by_elimination(equations, rhs, accuracy, timings)
+        let wanted = (equations.grounding() == GROUNDING).then(|| self.kept.clone());
+        if self.solve_by_elimination(equations, rhs, accuracy, timings)? {
+            return Ok(true);
+        }
+        let (Some(wanted), Some(state)) = (wanted, self.at.clone()) else {
+            return Ok(false);
+        };
+        rhs.copy_from_slice(&wanted);
+        equations.ground(FIRMER);
+        Ok(self.factor(equations, &state, timings)?
+            && self.solve_by_elimination(equations, rhs, accuracy, timings)?)
     }
 
     fn has_compliance(&self) -> bool {
