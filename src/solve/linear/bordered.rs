@@ -298,17 +298,26 @@ impl<L: LinearSolver> LinearSolver for Bordered<L> {
         if at_once.is_some() {
             rhs.copy_from_slice(&self.kept);
         }
-        let wanted = (equations.grounding() == GROUNDING).then(|| self.kept.clone());
-        if self.solve_by_elimination(equations, rhs, accuracy, timings)? {
-            return Ok(true);
+        let wanted = self.kept.clone();
+        loop {
+            if self.solve_by_elimination(equations, rhs, accuracy, timings)? {
+                return Ok(true);
+            }
+            // Growth does not tell of each singular matrix.
+            let firmer = match equations.grounding() {
+                0.0 => GROUNDING,
+                GROUNDING => FIRMER,
+                _ => return Ok(false),
+            };
+            let (None, Some(state)) = (at_once, self.at.clone()) else {
+                return Ok(false);
+            };
+            rhs.copy_from_slice(&wanted);
+            equations.ground(firmer);
+            if !self.factor(equations, &state, timings)? {
+                return Ok(false);
+            }
         }
-        let (Some(wanted), Some(state)) = (wanted, self.at.clone()) else {
-            return Ok(false);
-        };
-        rhs.copy_from_slice(&wanted);
-        equations.ground(FIRMER);
-        Ok(self.factor(equations, &state, timings)?
-            && self.solve_by_elimination(equations, rhs, accuracy, timings)?)
     }
 
     fn has_compliance(&self) -> bool {
