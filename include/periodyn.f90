@@ -193,6 +193,7 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_NUMBER_SHELL_MASS = 3610
     integer(c_int32_t), parameter :: PDN_NUMBER_SHELL_DAMPING = 3611
     integer(c_int32_t), parameter :: PDN_NUMBER_SHELL_THICKNESS = 3612
+    integer(c_int32_t), parameter :: PDN_NUMBER_FRAME_RATE = 3613
     integer(c_int32_t), parameter :: PDN_SIGNAL_OF_ACTUATOR = 3700
     integer(c_int32_t), parameter :: PDN_SIGNAL_OF_PRESCRIBED = 3701
     integer(c_int32_t), parameter :: PDN_SIGNAL_OF_LOAD = 3702
@@ -1443,6 +1444,27 @@ module periodyn_c
             integer(c_size_t), value :: count
             integer(c_int32_t) :: pdn_model_add_load_at_places
         end function pdn_model_add_load_at_places
+
+        ! Describes everything in a frame that turns about a fixed axis at a constant rate, in place of any set ...
+        function pdn_model_set_turning_frame(model, axis, rate, &
+            point) bind(C, name="pdn_model_set_turning_frame")
+            import
+            type(c_ptr), value :: model
+            real(c_double), intent(in) :: axis(*)
+            real(c_double), value :: rate
+            real(c_double), intent(in), optional :: point(*)
+            integer(c_int32_t) :: pdn_model_set_turning_frame
+        end function pdn_model_set_turning_frame
+
+        ! The frame that a model is described in, if it turns
+        function pdn_model_turning_frame(model, axis, rate, point) bind(C, name="pdn_model_turning_frame")
+            import
+            type(c_ptr), value :: model
+            real(c_double), intent(inout) :: axis(*)
+            real(c_double), intent(inout) :: rate
+            real(c_double), intent(inout) :: point(*)
+            integer(c_int32_t) :: pdn_model_turning_frame
+        end function pdn_model_turning_frame
 
         ! Makes a surface that is still to be set
         subroutine pdn_surface_init(surface, struct_size) bind(C, name="pdn_surface_init")
@@ -2874,6 +2896,25 @@ module periodyn_c
             integer(c_int32_t) :: pdn_conditions_add_phase
         end function pdn_conditions_add_phase
 
+        ! Adds the condition on the phase of a rotation: in the mean over the period and all nodes, the motion is ...
+        function pdn_conditions_add_rotation_phase(conditions, axis, &
+            point) bind(C, name="pdn_conditions_add_rotation_phase")
+            import
+            type(c_ptr), value :: conditions
+            real(c_double), intent(in) :: axis(*)
+            real(c_double), intent(in), optional :: point(*)
+            integer(c_int32_t) :: pdn_conditions_add_rotation_phase
+        end function pdn_conditions_add_rotation_phase
+
+        ! Adds the condition on the phase of a translation: in the mean over the period and all nodes, the motion is ...
+        function pdn_conditions_add_translation_phase(conditions, &
+            direction) bind(C, name="pdn_conditions_add_translation_phase")
+            import
+            type(c_ptr), value :: conditions
+            real(c_double), intent(in) :: direction(*)
+            integer(c_int32_t) :: pdn_conditions_add_translation_phase
+        end function pdn_conditions_add_translation_phase
+
         ! Adds the condition that the mean, a harmonic, or the value at a time, of a quantity is this: trim
         function pdn_conditions_add_quantity(conditions, quantity, feature, at, value, &
             scale) bind(C, name="pdn_conditions_add_quantity")
@@ -3805,6 +3846,8 @@ module periodyn
         procedure, public :: add_load => model_add_load
         procedure, public :: add_distributed_load => model_add_distributed_load
         procedure, public :: add_load_at_places => model_add_load_at_places
+        procedure, public :: set_turning_frame => model_set_turning_frame
+        procedure, public :: turning_frame => model_turning_frame
         procedure, public :: set_gravity => model_set_gravity
         procedure, public :: set_gravity_signals => model_set_gravity_signals
         procedure, public :: add_spring_damper => model_add_spring_damper
@@ -3868,6 +3911,8 @@ module periodyn
         procedure, public :: new => conditions_new
         procedure, public :: release => conditions_release
         procedure, public :: add_phase => conditions_add_phase
+        procedure, public :: add_rotation_phase => conditions_add_rotation_phase
+        procedure, public :: add_translation_phase => conditions_add_translation_phase
         procedure, public :: add_joint_coordinate => conditions_add_joint_coordinate
         procedure, public :: add_energy => conditions_add_energy
         procedure, public :: add_quantity => conditions_add_quantity
@@ -5428,6 +5473,31 @@ contains
             size(fractions, kind=c_size_t)), stat, errmsg)
     end subroutine model_add_load_at_places
 
+    ! Describes everything in a frame that turns steadily about an axis through a point, or the
+    ! origin.
+    subroutine model_set_turning_frame(self, axis, rate, point, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        real(c_double), intent(in) :: axis(3)
+        real(c_double), intent(in) :: rate
+        real(c_double), intent(in), optional :: point(3)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_set_turning_frame(self%c, axis, rate, point), stat, errmsg)
+    end subroutine model_set_turning_frame
+
+    ! The frame that everything is described in, if it turns; else an error.
+    subroutine model_turning_frame(self, axis, rate, point, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        real(c_double), intent(inout) :: axis(3)
+        real(c_double), intent(inout) :: rate
+        real(c_double), intent(inout) :: point(3)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_turning_frame(self%c, axis, rate, point), stat, errmsg)
+    end subroutine model_turning_frame
+
     subroutine model_set_gravity(self, acceleration, stat, errmsg)
         class(pdn_model), intent(inout) :: self
         real(c_double), intent(in) :: acceleration(3)
@@ -6827,6 +6897,27 @@ contains
 
         call report(pdn_conditions_add_phase(self%c), stat, errmsg)
     end subroutine conditions_add_phase
+
+    ! That the motion is not turned about an axis from what the solve starts from.
+    subroutine conditions_add_rotation_phase(self, axis, point, stat, errmsg)
+        class(pdn_conditions), intent(inout) :: self
+        real(c_double), intent(in) :: axis(3)
+        real(c_double), intent(in), optional :: point(3)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_conditions_add_rotation_phase(self%c, axis, point), stat, errmsg)
+    end subroutine conditions_add_rotation_phase
+
+    ! That the motion is not moved in a direction from what the solve starts from.
+    subroutine conditions_add_translation_phase(self, direction, stat, errmsg)
+        class(pdn_conditions), intent(inout) :: self
+        real(c_double), intent(in) :: direction(3)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_conditions_add_translation_phase(self%c, direction), stat, errmsg)
+    end subroutine conditions_add_translation_phase
 
     ! A joint coordinate has this value at the start of the period.
     subroutine conditions_add_joint_coordinate(self, joint, coordinate, value, stat, errmsg)

@@ -973,6 +973,12 @@
 #define PDN_NUMBER_SHELL_THICKNESS 3612
 
 /**
+ * A parameter moves the rate of the frame that everything is described in,
+ * ::pdn_model_set_turning_frame.
+ */
+#define PDN_NUMBER_FRAME_RATE 3613
+
+/**
  * The signal of an actuator, by its force id.
  */
 #define PDN_SIGNAL_OF_ACTUATOR 3700
@@ -4692,6 +4698,56 @@ pdn_status pdn_model_add_load_at_places(struct pdn_model *model,
                                         size_t count);
 
 /**
+ * Describes everything in a frame that turns about a fixed axis at a constant rate, in place of
+ * any set before: motions that repeat themselves but for a turn in each period are periodic there.
+ *
+ * Positions, directions, rotations, prescribed motions and the ground are those in the frame, in
+ * the model and in all results; at time zero its axes are the inertial ones. Velocities and
+ * accelerations of nodes are those in the inertial frame, along the axes of the frame or of the
+ * node, in results and in forces of yours on nodes and shells; rates of joints, and dampers, know
+ * the motion in the frame only. Loads with PDN_FRAME_SPACE keep their directions in the frame.
+ * Gravity must be along the axis: a solve refuses any other.
+ *
+ * A motion M of the frame is exp(axis rate t) M in the inertial one: it repeats itself after the
+ * period T but for a turn of rate T. Supports that are no different when they turn about the axis,
+ * such as a hinge along it, are those of the inertial frame; the turn in a period may be unknown:
+ * a free parameter (PDN_NUMBER_FRAME_RATE) with a condition (::pdn_conditions_add_rotation_phase).
+ * All analyses are in the frame: also statics, modes, marches and stability.
+ *
+ * @param model  the model; not NULL
+ * @param axis  array of length 3: direction of the axis, not zero
+ * @param rate  angle in a unit of time \[rad/time\]; it may be zero
+ * @param point  array of length 3: a point of the axis \[length\]; NULL for the origin
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE (no direction)
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_set_turning_frame(struct pdn_model *model,
+                                       const double *axis,
+                                       double rate,
+                                       const double *point);
+
+/**
+ * The frame that a model is described in, if it turns.
+ *
+ * @param model  the model; not NULL
+ * @param axis  array of length 3: direction of the axis, of length 1; written on success only
+ * @param rate  angle in a unit of time \[rad/time\]; written on success only
+ * @param point  array of length 3: a point of the axis \[length\]; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_AVAILABLE (it does not turn)
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_turning_frame(const struct pdn_model *model,
+                                   double *axis,
+                                   double *rate,
+                                   double *point);
+
+/**
  * Makes a surface that is still to be set. Use it as `PDN_INIT(pdn_surface, &surface)`.
  *
  * @param surface  the surface; not NULL
@@ -7087,7 +7143,7 @@ pdn_status pdn_model_add_parameter(struct pdn_model *model,
  * @param parameter  id of the parameter
  * @param number  PDN_NUMBER_STIFFNESS, ...
  * @param index  of the force, the body, the beam or the shell element; 0 for
- *     PDN_NUMBER_MASS_DAMPING
+ *     PDN_NUMBER_MASS_DAMPING and PDN_NUMBER_FRAME_RATE
  * @param power  power, from 1, of a stiffness or damping; 0 for all else
  * @param factor  the number for a unit of the parameter, not zero
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID (no such parameter or number),
@@ -7554,6 +7610,43 @@ pdn_status pdn_conditions_release(struct pdn_conditions *conditions,
  */
 PDN_API
 pdn_status pdn_conditions_add_phase(struct pdn_conditions *conditions);
+
+/**
+ * Adds the condition on the phase of a rotation: in the mean over the period and all nodes, the
+ * motion is not turned about an axis from that which the solve starts from.
+ *
+ * For mechanisms that nothing holds against it, such as a pendulum in a spherical joint, whose
+ * turn in a period is unknown (::pdn_model_set_turning_frame).
+ *
+ * @param conditions  the list; not NULL
+ * @param axis  array of length 3: direction of the axis, not zero
+ * @param point  array of length 3: a point of the axis \[length\]; NULL for the origin
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE (no direction)
+ *
+ * Threads: exclusive use of `conditions`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_conditions_add_rotation_phase(struct pdn_conditions *conditions,
+                                             const double *axis,
+                                             const double *point);
+
+/**
+ * Adds the condition on the phase of a translation: in the mean over the period and all nodes, the
+ * motion is not moved in a direction from that which the solve starts from.
+ *
+ * For mechanisms that nothing holds against it, such as a free body.
+ *
+ * @param conditions  the list; not NULL
+ * @param direction  array of length 3: the direction, not zero
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE (no direction)
+ *
+ * Threads: exclusive use of `conditions`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_conditions_add_translation_phase(struct pdn_conditions *conditions,
+                                                const double *direction);
 
 /**
  * Adds the condition that the mean, a harmonic, or the value at a time, of a quantity is this:

@@ -181,6 +181,7 @@ enum class Number : std::int32_t {
     shell_mass = PDN_NUMBER_SHELL_MASS,
     shell_damping = PDN_NUMBER_SHELL_DAMPING,
     shell_thickness = PDN_NUMBER_SHELL_THICKNESS,
+    frame_rate = PDN_NUMBER_FRAME_RATE,
 };
 
 /** What of a quantity a condition holds. */
@@ -1183,6 +1184,13 @@ struct Mass {
     Vector3 centre;
 };
 
+/** A frame that turns steadily: an axis of length 1, an angle in a unit of time, a point. */
+struct TurningFrame {
+    Vector3 axis;
+    double rate;
+    Vector3 point;
+};
+
 /** A mechanism, described in its reference configuration. Functions that add return ids. */
 class Model
 {
@@ -1743,6 +1751,19 @@ class Model
     void declare_of_phase(Id force)
     {
         detail::check(pdn_model_declare_of_phase(get(), force));
+    }
+    /** Describes everything in a frame that turns steadily about an axis through `point`. */
+    void set_turning_frame(const Vector3 &axis, double rate, const Vector3 &point = {0, 0, 0})
+    {
+        detail::check(pdn_model_set_turning_frame(get(), axis.data(), rate, point.data()));
+    }
+    /** The frame that everything is described in, if it turns; else an Error. */
+    TurningFrame turning_frame() const
+    {
+        TurningFrame frame{};
+        detail::check(pdn_model_turning_frame(get(), frame.axis.data(), &frame.rate,
+                                              frame.point.data()));
+        return frame;
     }
     void set_gravity(const Vector3 &acceleration)
     {
@@ -2591,6 +2612,16 @@ class Conditions
         detail::check(pdn_conditions_add_phase(get()));
     }
     /** A joint coordinate at the start of the period. */
+    /** That it is not turned about an axis through `point` from what the solve starts from. */
+    void add_rotation_phase(const Vector3 &axis, const Vector3 &point = {0, 0, 0})
+    {
+        detail::check(pdn_conditions_add_rotation_phase(get(), axis.data(), point.data()));
+    }
+    /** That it is not moved in a direction from what the solve starts from. */
+    void add_translation_phase(const Vector3 &direction)
+    {
+        detail::check(pdn_conditions_add_translation_phase(get(), direction.data()));
+    }
     void add_joint_coordinate(std::int32_t joint, Coordinate coordinate, double value)
     {
         detail::check(

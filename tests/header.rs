@@ -18,6 +18,7 @@ const FILES: &[&str] = &[
     "line",
     "beam",
     "load",
+    "turning_frame",
     "surface",
     "shell",
     "rigid_edge",

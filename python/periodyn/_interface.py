@@ -457,6 +457,10 @@ NUMBER_SHELL_THICKNESS = 3612
 alike: stiffness, damping and mass against stretching grow with it, against bending and turning
 with its cube, what couples them with its square.
 """
+NUMBER_FRAME_RATE = 3613
+"""A parameter moves the rate of the frame that everything is described in,
+Model.set_turning_frame.
+"""
 SIGNAL_OF_ACTUATOR = 3700
 """The signal of an actuator, by its force id."""
 SIGNAL_OF_PRESCRIBED = 3701
@@ -2316,6 +2320,33 @@ class Conditions(Handle):
         """
         call(lib.pdn_conditions_add_phase, self._c)
 
+    def add_rotation_phase(self, axis, point=None):
+        """Adds the condition on the phase of a rotation: in the mean over the period and all
+        nodes, the motion is not turned about an axis from that which the solve starts from.
+
+        For mechanisms that nothing holds against it, such as a pendulum in a spherical joint,
+        whose turn in a period is unknown (Model.set_turning_frame).
+
+        Args:
+            axis: array of shape (3): direction of the axis, not zero
+            point: array of shape (3): a point of the axis [length]; None for the origin
+        """
+        axis = reals("axis", axis, (3,))
+        point = reals("point", point, (3,))
+        call(lib.pdn_conditions_add_rotation_phase, self._c, pointer(axis), pointer(point))
+
+    def add_translation_phase(self, direction):
+        """Adds the condition on the phase of a translation: in the mean over the period and all
+        nodes, the motion is not moved in a direction from that which the solve starts from.
+
+        For mechanisms that nothing holds against it, such as a free body.
+
+        Args:
+            direction: array of shape (3): the direction, not zero
+        """
+        direction = reals("direction", direction, (3,))
+        call(lib.pdn_conditions_add_translation_phase, self._c, pointer(direction))
+
     def add_quantity(self, quantity, feature, at, value, scale):
         """Adds the condition that the mean, a harmonic, or the value at a time, of a quantity is
         this: trim.
@@ -3222,6 +3253,49 @@ class Model(ModelExtras):
             signals,
             _count,
         )
+
+    def set_turning_frame(self, axis, rate, point=None):
+        """Describes everything in a frame that turns about a fixed axis at a constant rate, in
+        place of any set before: motions that repeat themselves but for a turn in each period
+        are periodic there.
+
+        Positions, directions, rotations, prescribed motions and the ground are those in the
+        frame, in the model and in all results; at time zero its axes are the inertial ones.
+        Velocities and accelerations of nodes are those in the inertial frame, along the axes of
+        the frame or of the node, in results and in forces of yours on nodes and shells; rates
+        of joints, and dampers, know the motion in the frame only. Loads with FRAME_SPACE keep
+        their directions in the frame. Gravity must be along the axis: a solve refuses any
+        other.
+
+        A motion M of the frame is exp(axis rate t) M in the inertial one: it repeats itself
+        after the period T but for a turn of rate T. Supports that are no different when they
+        turn about the axis, such as a hinge along it, are those of the inertial frame; the turn
+        in a period may be unknown: a free parameter (NUMBER_FRAME_RATE) with a condition
+        (ConditionsAddRotationPhase). All analyses are in the frame: also statics, modes,
+        marches and stability.
+
+        Args:
+            axis: array of shape (3): direction of the axis, not zero
+            rate: angle in a unit of time [rad/time]; it may be zero
+            point: array of shape (3): a point of the axis [length]; None for the origin
+        """
+        axis = reals("axis", axis, (3,))
+        point = reals("point", point, (3,))
+        call(lib.pdn_model_set_turning_frame, self._c, pointer(axis), rate, pointer(point))
+
+    def turning_frame(self):
+        """The frame that a model is described in, if it turns.
+
+        Returns:
+            axis, of shape (3): direction of the axis, of length 1
+            rate: angle in a unit of time [rad/time]
+            point, of shape (3): a point of the axis [length]
+        """
+        axis = reals.empty((3,))
+        rate = ffi.new("double *")
+        point = reals.empty((3,))
+        call(lib.pdn_model_turning_frame, self._c, pointer(axis), rate, pointer(point))
+        return axis, rate[0], point
 
     def add_shell_element(self, nodes, n_xi, section, placement=None):
         """Adds a shell element over a grid of nodes that are there.
@@ -4339,7 +4413,7 @@ class Model(ModelExtras):
             parameter: id of the parameter
             number: NUMBER_STIFFNESS,
             index: of the force, the body, the beam or the shell element; 0 for
-                NUMBER_MASS_DAMPING
+                NUMBER_MASS_DAMPING and NUMBER_FRAME_RATE
             power: power, from 1, of a stiffness or damping; 0 for all else
             factor: the number for a unit of the parameter, not zero
         """

@@ -14,7 +14,8 @@ use crate::error::{Error, Result};
 use crate::model::{JointCoordinate, Model};
 use crate::output::Solution;
 use crate::quantity::Feature;
-use crate::solve::{Condition, Energy, Free, JointCoordinateIs, OutputIs, Phase};
+use crate::solve::{Condition, Energy, Free, JointCoordinateIs, OutputIs, Phase, RigidPhase};
+use nalgebra::Vector3;
 use std::sync::Arc;
 
 /// Free parameters, and as many conditions. Made by ::pdn_conditions_new, freed by
@@ -121,6 +122,61 @@ pub unsafe extern "C" fn pdn_conditions_add_phase(conditions: *mut pdn_condition
     guard(|call| {
         let mut conditions = call.exclusive(conditions, "conditions")?;
         conditions.conditions.push(Arc::new(Phase));
+        Ok(())
+    })
+}
+
+/// Adds the condition on the phase of a rotation: in the mean over the period and all nodes, the
+/// motion is not turned about an axis from that which the solve starts from.
+///
+/// For mechanisms that nothing holds against it, such as a pendulum in a spherical joint, whose
+/// turn in a period is unknown (::pdn_model_set_turning_frame).
+///
+/// @param conditions  the list; not NULL
+/// @param axis  array of length 3: direction of the axis, not zero
+/// @param point  array of length 3: a point of the axis \[length\]; NULL for the origin
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE (no direction)
+///
+/// Threads: exclusive use of `conditions`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_conditions_add_rotation_phase(
+    conditions: *mut pdn_conditions,
+    axis: *const f64,
+    point: *const f64,
+) -> pdn_status {
+    guard(|call| {
+        let mut conditions = call.exclusive(conditions, "conditions")?;
+        let axis = Vector3::from(call.array::<3>(axis, "axis")?);
+        let point = call.array_optional::<3>(point, "point")?;
+        let point = point.map_or(Vector3::zeros(), Vector3::from);
+        let condition = RigidPhase::rotation(&axis, &point)?;
+        conditions.conditions.push(Arc::new(condition));
+        Ok(())
+    })
+}
+
+/// Adds the condition on the phase of a translation: in the mean over the period and all nodes, the
+/// motion is not moved in a direction from that which the solve starts from.
+///
+/// For mechanisms that nothing holds against it, such as a free body.
+///
+/// @param conditions  the list; not NULL
+/// @param direction  array of length 3: the direction, not zero
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE (no direction)
+///
+/// Threads: exclusive use of `conditions`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_conditions_add_translation_phase(
+    conditions: *mut pdn_conditions,
+    direction: *const f64,
+) -> pdn_status {
+    guard(|call| {
+        let mut conditions = call.exclusive(conditions, "conditions")?;
+        let direction = Vector3::from(call.array::<3>(direction, "direction")?);
+        let condition = RigidPhase::translation(&direction)?;
+        conditions.conditions.push(Arc::new(condition));
         Ok(())
     })
 }

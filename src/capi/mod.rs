@@ -111,6 +111,7 @@ pub mod summary;
 pub mod surface;
 pub mod surface_force;
 pub mod table;
+pub mod turning_frame;
 pub mod user_force;
 pub mod version;
 

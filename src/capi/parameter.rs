@@ -40,6 +40,9 @@ pub const PDN_NUMBER_SHELL_DAMPING: i32 = 3611;
 /// alike: stiffness, damping and mass against stretching grow with it, against bending and turning
 /// with its cube, what couples them with its square.
 pub const PDN_NUMBER_SHELL_THICKNESS: i32 = 3612;
+/// A parameter moves the rate of the frame that everything is described in,
+/// ::pdn_model_set_turning_frame.
+pub const PDN_NUMBER_FRAME_RATE: i32 = 3613;
 
 /// The signal of an actuator, by its force id.
 pub const PDN_SIGNAL_OF_ACTUATOR: i32 = 3700;
@@ -120,7 +123,7 @@ fn count(value: i32, name: &str) -> Result<usize> {
 /// @param parameter  id of the parameter
 /// @param number  PDN_NUMBER_STIFFNESS, ...
 /// @param index  of the force, the body, the beam or the shell element; 0 for
-///     PDN_NUMBER_MASS_DAMPING
+///     PDN_NUMBER_MASS_DAMPING and PDN_NUMBER_FRAME_RATE
 /// @param power  power, from 1, of a stiffness or damping; 0 for all else
 /// @param factor  the number for a unit of the parameter, not zero
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID (no such parameter or number),
@@ -154,6 +157,7 @@ pub unsafe extern "C" fn pdn_model_move_number(
             PDN_NUMBER_SHELL_MASS => Target::ShellMass(at),
             PDN_NUMBER_SHELL_DAMPING => Target::ShellDamping(at),
             PDN_NUMBER_SHELL_THICKNESS => Target::ShellThickness(at),
+            PDN_NUMBER_FRAME_RATE => Target::FrameRate,
             other => return Err(Error::value("number", "a constant PDN_NUMBER_...", other)),
         };
         model.move_by_parameter(id, target, factor)

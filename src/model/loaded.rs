@@ -30,6 +30,7 @@ impl Model {
         !self.relations.is_empty()
             || !self.shells.is_empty()
             || !self.shell_loads.is_empty()
+            || self.turning_frame.is_some()
             || self.forces.iter().any(is_newer)
     }
 
@@ -42,6 +43,9 @@ impl Model {
             mass_damping: self.mass_damping,
             ..Model::new()
         };
+        if let Some(frame) = self.turning_frame {
+            model.set_turning_frame(&frame.axis(), frame.rate(), &frame.point())?;
+        }
         for (id, node) in model.nodes.iter().enumerate() {
             require_clean_motion(&format!("node {id}"), node)?;
         }

@@ -27,6 +27,7 @@ mod shell_quadrilaterals;
 mod signal;
 mod stations;
 mod surface;
+mod turning_frame;
 mod user_function;
 mod validation;
 
@@ -50,6 +51,7 @@ pub use shell_quadrilaterals::QuadrilateralMesh;
 pub use signal::{BoundSignal, Signal};
 pub use stations::SectionStation;
 pub use surface::{annulus_sector, cylinder, rectangle};
+pub use turning_frame::TurningFrame;
 pub use user_function::UserFunction;
 pub(crate) use user_function::absent;
 
@@ -78,6 +80,8 @@ pub struct Model {
     #[serde(default)]
     pub(crate) shell_loads: Vec<ShellLoadDefinition>,
     pub(crate) gravity: Option<[Signal; 3]>,
+    #[serde(default)]
+    pub(crate) turning_frame: Option<TurningFrame>,
     /// Force against motion for a unit of momentum.
     #[serde(default)]
     pub(crate) mass_damping: f64,

@@ -72,6 +72,9 @@ pub enum Target {
     ShellThickness(usize),
     /// Damping in proportion to mass, see [`Model::set_mass_damping`].
     MassDamping,
+    /// Angle in a unit of time of the frame that everything is described in, see
+    /// [`Model::set_turning_frame`].
+    FrameRate,
 }
 
 impl Target {
@@ -80,6 +83,7 @@ impl Target {
         match self {
             Target::Signal(SignalPlace::Prescribed(_) | SignalPlace::Relation(_), _)
             | Target::Rest(_)
+            | Target::FrameRate
             | Target::ShellThickness(_) => false,
             Target::Signal(_, part) => *part != SignalPart::Phase,
             _ => true,
@@ -244,6 +248,9 @@ impl Model {
                 ForceDefinition::Bushing(bushing) => bushing.require_scaled(),
                 _ => Ok(()),
             },
+            Target::FrameRate => self
+                .turning_frame
+                .map_or(Ok(()), |frame| frame.require_finite()),
             _ => Ok(()),
         }
     }
@@ -457,6 +464,7 @@ impl Model {
             Target::ShellDamping(element) => Some(&mut self.shells.get_mut(element)?.factors[2]),
             Target::ShellThickness(element) => Some(&mut self.shells.get_mut(element)?.thickness),
             Target::MassDamping => Some(&mut self.mass_damping),
+            Target::FrameRate => Some(&mut self.turning_frame.as_mut()?.rate),
         }
     }
 }

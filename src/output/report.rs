@@ -97,11 +97,17 @@ impl Solution {
             )?;
         }
         if let Some(standstill) = solve.system.standstill() {
-            let w = standstill.angular_velocity;
+            let w = solve.system.frame_velocity().unwrap_or_default();
             writeln!(
                 text,
                 "  at time {}, in a frame with the angular velocity ({}, {}, {})",
                 standstill.time, w.x, w.y, w.z
+            )?;
+        } else if let Some(w) = solve.system.frame_velocity() {
+            writeln!(
+                text,
+                "  in a frame with the angular velocity ({}, {}, {})",
+                w.x, w.y, w.z
             )?;
         }
         if !solve.report.explanation.is_empty() {

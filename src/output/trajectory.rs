@@ -171,7 +171,7 @@ impl Solution {
         };
         for node in 0..system.nodes() {
             self.each_node_state(node, &[time], |state| {
-                // In steady rotation, velocities are those in the inertial frame.
+                // In a frame that turns, velocities are those in the inertial one all the same.
                 let state = system.inertial_state(state);
                 start.motions.push(state.motion);
                 start.twists.push(state.twist);

@@ -26,7 +26,9 @@ pub use branches::{
     Branch, BranchEnd, BranchOptions, BranchPoint, Event, PointStability, continue_branch,
     follow_branch, follow_locus, switch_branch,
 };
-pub use conditions::{Condition, Energy, Free, Given, JointCoordinateIs, OutputIs, Phase};
+pub use conditions::{
+    Condition, Energy, Free, Given, JointCoordinateIs, OutputIs, Phase, RigidPhase,
+};
 pub use equilibrium::{StaticOptions, solve_static};
 pub use linear::diagnosis::describe_dependencies;
 pub use linear::direct::DirectSolver;

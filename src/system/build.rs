@@ -143,7 +143,7 @@ impl<'a> Builder<'a> {
         self.add_gravity()?;
         self.add_mass_damping();
         let (mut system, lacks_functions) = (self.system, self.lacks_functions);
-        system.add_turning()?;
+        system.add_turning(self.model.turning_frame())?;
         if let Some(like) = like {
             system.scales = like.scales;
             system.loops.clone_from(&like.loops);

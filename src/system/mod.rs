@@ -104,8 +104,8 @@ pub struct System {
     joints: Vec<Joint>,
     /// Signals that prescribe angles whose whole turns matter, as they turn a screw or gears.
     counted_turns: Vec<usize>,
-    /// Signals of the frame's angular velocity, if it turns.
-    turning: Option<[usize; 3]>,
+    /// The frame that motions are described in, if it turns.
+    turning: Option<turning::Turning>,
     /// Prescribed coordinates, in the order of their signals, which are the first.
     prescribed: Vec<JointCoordinate>,
     /// Relations between joint coordinates.

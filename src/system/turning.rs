@@ -7,12 +7,14 @@
 use super::System;
 use crate::elements::{Contribution, NodeState};
 use crate::error::{Error, ErrorKind, Result};
-use crate::model::BoundSignal;
-use crate::motion::DualVector;
+use crate::model::{BoundSignal, TurningFrame};
+use crate::motion::{DualVector, Motion};
 use nalgebra::{Matrix6, Vector3, Vector6};
 
 /// How far gravity may be off the axis: components written with 9 digits pass.
 const PARALLEL: f64 = 1e-8;
+/// Times in a period at which gravity is looked at.
+const TIMES: usize = 7;
 
 /// `Ṽ`, the 6×6 matrix of a twist.
 fn tilde(twist: &Vector6<f64>) -> Matrix6<f64> {
@@ -60,56 +62,100 @@ fn vary_in_frame(state: &NodeState, frame: &Vector6<f64>, factors: &mut [Vector6
     *velocity += carried.tr_mul(acceleration);
 }
 
+/// A frame that turns steadily.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Turning {
+    /// Signals of its angular velocity, which grows with the loads.
+    signals: [usize; 3],
+    /// Its angular velocity.
+    angular: Vector3<f64>,
+    /// A point of its axis.
+    point: Vector3<f64>,
+}
+
+impl Turning {
+    /// Twist of a frame at the origin that turns with `angular` about the axis.
+    fn twist(&self, angular: &Vector3<f64>) -> Vector6<f64> {
+        let twist = DualVector {
+            primal: *angular,
+            dual: self.point.cross(angular),
+        };
+        twist.to_twist()
+    }
+}
+
 impl System {
-    /// Adds the frame's angular velocity, which grows with the loads.
+    /// Adds the angular velocity of the frame: that of the model, or of a standstill.
     ///
     /// # Errors
-    /// If gravity is not along the axis, so that nothing could stand still.
-    pub(super) fn add_turning(&mut self) -> Result<()> {
-        let velocity = match self.standstill() {
-            Some(standstill) if standstill.angular_velocity != Vector3::zeros() => {
-                standstill.angular_velocity
+    /// If both turn, or if gravity is not along the axis.
+    pub(super) fn add_turning(&mut self, frame: Option<&TurningFrame>) -> Result<()> {
+        let standstill = self
+            .standstill()
+            .map(|s| (s.angular_velocity, s.axis_point));
+        let standstill = standstill.filter(|(angular, _)| *angular != Vector3::zeros());
+        let (angular, point) = match (frame, standstill) {
+            (None, None) => return Ok(()),
+            (Some(frame), None) => (frame.angular_velocity(), frame.point()),
+            (None, Some(standstill)) => standstill,
+            (Some(_), Some((w, _))) => {
+                let expected = "zero, as the model has a turning frame of its own";
+                let got = format!("({}, {}, {})", w.x, w.y, w.z);
+                return Err(Error::value("options.angular_velocity", expected, got));
             }
-            _ => return Ok(()),
         };
-        let mut values = vec![0.0; self.signals()];
-        self.signal_values(0.0, 1.0, &mut values)?;
-        let gravity = self.gravity(&values);
-        let across = gravity.cross(&velocity.normalize()).norm();
-        if across > PARALLEL * gravity.norm() {
-            return Err(Error::new(
-                ErrorKind::NotPeriodic,
-                format!(
-                    "gravity: expected a direction along the axis of a steady rotation, got ({}, \
-                     {}, {}), of \
-                     which {across:.3e} is across it; solve for the periodic response instead",
-                    gravity.x, gravity.y, gravity.z
-                ),
-            ));
-        }
-        let mut numbers = [0; 3];
-        for (number, component) in numbers.iter_mut().zip(velocity.iter()) {
+        let axis = frame.map_or_else(|| angular.normalize(), TurningFrame::axis);
+        self.require_gravity_along(&axis)?;
+        let mut signals = [0; 3];
+        for (number, component) in signals.iter_mut().zip(angular.iter()) {
             let place = "angular velocity".into();
             *number = self.add_signal(BoundSignal::constant(*component), 0.0, 0.0, place)?;
         }
-        self.turning = Some(numbers);
+        self.turning = Some(Turning {
+            signals,
+            angular,
+            point,
+        });
+        Ok(())
+    }
+
+    /// Checks that gravity does not turn in a frame that turns about this axis.
+    fn require_gravity_along(&self, axis: &Vector3<f64>) -> Result<()> {
+        let times = match self.standstill() {
+            Some(_) => 1,
+            None => TIMES,
+        };
+        let mut values = vec![0.0; self.signals()];
+        for k in 0..times {
+            let time = self.period() * k as f64 / times as f64;
+            self.signal_values(time, 1.0, &mut values)?;
+            let gravity = self.gravity(&values);
+            let across = gravity.cross(axis).norm();
+            if across > PARALLEL * gravity.norm() {
+                return Err(Error::new(
+                    ErrorKind::NotPeriodic,
+                    format!(
+                        "gravity: expected a direction along the axis of a frame that turns \
+                         steadily, got ({}, {}, {}), of which {across:.3e} is across it; describe \
+                         the motion in the inertial frame instead",
+                        gravity.x, gravity.y, gravity.z
+                    ),
+                ));
+            }
+        }
         Ok(())
     }
 
     /// Twist of the frame that motions are described in, if it turns.
     pub(super) fn frame_twist(&self, signals: &[f64]) -> Option<Vector6<f64>> {
-        let [x, y, z] = self.turning?;
-        Some(self.twist_about_axis(&Vector3::new(signals[x], signals[y], signals[z])))
+        let turning = self.turning.as_ref()?;
+        let angular = turning.signals.map(|number| signals[number]);
+        Some(turning.twist(&Vector3::from(angular)))
     }
 
-    /// Twist of a frame at the origin that turns with `angular` about the axis.
-    fn twist_about_axis(&self, angular: &Vector3<f64>) -> Vector6<f64> {
-        let point = self.standstill().map_or(Vector3::zeros(), |s| s.axis_point);
-        let twist = DualVector {
-            primal: *angular,
-            dual: point.cross(angular),
-        };
-        twist.to_twist()
+    /// Angular velocity of the frame that motions are described in, if it turns.
+    pub fn frame_velocity(&self) -> Option<Vector3<f64>> {
+        self.turning.map(|turning| turning.angular)
     }
 
     /// State in the inertial frame, from one in the frame that motions are described in; resolved
@@ -119,6 +165,15 @@ impl System {
             Some(frame) => inertial(state, &frame),
             None => *state,
         }
+    }
+
+    /// The state at this motion of what is at rest in the inertial frame.
+    pub fn at_inertial_rest(&self, motion: &Motion) -> NodeState {
+        let mut state = NodeState::at_rest(*motion);
+        if let Some(frame) = self.full_frame_twist() {
+            state.twist = -(motion.inverse().adjoint() * frame);
+        }
+        state
     }
 
     /// Makes what a number varies by with the motion, velocity and acceleration of a node in the
@@ -131,8 +186,8 @@ impl System {
 
     /// Twist of the frame, if it turns, under all loads.
     fn full_frame_twist(&self) -> Option<Vector6<f64>> {
-        let standstill = self.standstill().filter(|_| self.turning.is_some())?;
-        Some(self.twist_about_axis(&standstill.angular_velocity))
+        let turning = self.turning.as_ref()?;
+        Some(turning.twist(&turning.angular))
     }
 }
 

@@ -15,6 +15,7 @@ impl Collocation {
         let mut twists = DVector::zeros(6 * nodes.len());
         for (a, &node) in nodes.iter().enumerate() {
             let at = &self.instants.states[node * self.grid.points() + k];
+            let at = self.system.inertial_state(at);
             twists.fixed_rows_mut::<6>(6 * a).copy_from(&at.twist);
         }
         (inertia.mass() * &twists, twists)
@@ -31,8 +32,13 @@ impl Collocation {
         }
     }
 
-    fn at_rest(&self, node: usize, k: usize) -> NodeState {
-        NodeState::at_rest(self.instants.states[node * self.grid.points() + k].motion)
+    /// Of a node of an element: at rest in the inertial frame, if the element knows that.
+    fn at_rest(&self, placed: &Placed, node: usize, k: usize) -> NodeState {
+        let motion = &self.instants.states[node * self.grid.points() + k].motion;
+        match placed.element.knows_inertial_frame() {
+            true => self.system.at_inertial_rest(motion),
+            false => NodeState::at_rest(*motion),
+        }
     }
 
     /// Mean over the period of the kinetic and the potential energy; kinematics are those of
@@ -53,7 +59,7 @@ impl Collocation {
             }
             let conditions = self.conditions_at(state, k);
             for placed in system.elements() {
-                let at_rest = |node: usize| self.at_rest(node, k);
+                let at_rest = |node: usize| self.at_rest(placed, node, k);
                 let found = system.potential(placed, at_rest, &conditions, &mut workspace)?;
                 sum += found.ok_or_else(|| unknown(placed))?;
             }
@@ -79,7 +85,7 @@ impl Collocation {
             };
             for k in 0..points {
                 let conditions = self.conditions_at(state, k);
-                let at_rest = |node: usize| self.at_rest(node, k);
+                let at_rest = |node: usize| self.at_rest(placed, node, k);
                 let out = system.evaluate(placed, at_rest, &conditions, own, &mut workspace)?;
                 let forces = out.force.as_slice().chunks_exact(6);
                 for (force, &node) in forces.zip(placed.element.nodes()) {
@@ -95,8 +101,13 @@ impl Collocation {
             for k in 0..points {
                 let (momenta, _) = self.momenta(inertia, k);
                 for (a, &node) in inertia.nodes().iter().enumerate() {
-                    let momentum = momenta.fixed_rows::<6>(6 * a);
-                    by_rates[node * points + k][0] += momentum * shares[k];
+                    let at = node * points + k;
+                    let momentum = momenta.fixed_rows::<6>(6 * a) * shares[k];
+                    let mut factors = [Vector6::zeros(), momentum, Vector6::zeros()];
+                    system.vary_in_frame(&self.instants.states[at], &mut factors);
+                    let row = &mut row[self.layout.motion(node, k)];
+                    row.iter_mut().zip(&factors[0]).for_each(|(x, d)| *x += d);
+                    by_rates[at][0] += factors[1];
                 }
             }
         }

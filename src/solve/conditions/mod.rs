@@ -11,6 +11,7 @@ mod inner_product;
 mod joint_coordinate;
 mod output;
 mod phase;
+mod rigid_phase;
 
 pub(crate) use arc_length::ArcLength;
 pub use energy::Energy;
@@ -21,6 +22,7 @@ pub(crate) use inner_product::InnerProduct;
 pub use joint_coordinate::JointCoordinateIs;
 pub use output::OutputIs;
 pub use phase::Phase;
+pub use rigid_phase::RigidPhase;
 
 use crate::collocation::{Collocation, GridState};
 use crate::error::Result;

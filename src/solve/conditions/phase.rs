@@ -16,11 +16,15 @@ const STANDSTILL: f64 = 1e-9;
 
 impl Phase {
     const NAME: &'static str = "the phase";
+}
 
-    fn unknown_start() -> Error {
-        let message = "the phase: expected a solve that tells where it starts";
-        Error::new(ErrorKind::Value, message)
-    }
+/// Of a condition that is one relative to the start.
+pub(super) fn unknown_start(condition: &dyn Condition) -> Error {
+    let message = format!(
+        "{}: expected a solve that tells where it starts",
+        condition.name()
+    );
+    Error::new(ErrorKind::Value, message)
 }
 
 impl Condition for Phase {
@@ -33,11 +37,11 @@ impl Condition for Phase {
     }
 
     fn value(&self, _: &Collocation, _: &GridState) -> Result<f64> {
-        Err(Phase::unknown_start())
+        Err(unknown_start(self))
     }
 
     fn gradient(&self, _: &Collocation, _: &GridState, _: &mut [f64]) -> Result<()> {
-        Err(Phase::unknown_start())
+        Err(unknown_start(self))
     }
 
     fn at_start(
@@ -50,33 +54,49 @@ impl Condition for Phase {
         let course = states
             .flat_map(|s| (s.twist / frequency).data.0[0])
             .collect::<Vec<f64>>();
-        let product = InnerProduct::new(equations, 1.0);
-        let square = product.of(equations.layout(), &course, &course);
-        // Written so that NaN is none either.
-        let moves = square.sqrt() > STANDSTILL;
-        if !moves {
-            let message = "the phase: the motion that the solve starts from stands still, so that \
-                nothing tells its phase: expected one that moves";
-            return Err(Error::new(ErrorKind::Value, message));
-        }
-        Ok(Some(Arc::new(PhaseOf {
-            from: state.clone(),
-            course: course.iter().map(|x| x / square).collect(),
-        })))
+        let why = "the motion that the solve starts from stands still, so that nothing tells its \
+                   phase: expected one that moves";
+        let along = PhaseAlong::new(equations, state, Phase::NAME, &course);
+        let along = along.ok_or_else(|| {
+            let message = format!("{}: {why}", Phase::NAME);
+            Error::new(ErrorKind::Value, message)
+        })?;
+        Ok(Some(Arc::new(along)))
     }
 }
 
-/// The phase relative to a motion.
+/// How far a motion is along a course from another one.
 #[derive(Debug)]
-struct PhaseOf {
+pub(super) struct PhaseAlong {
+    name: String,
     from: GridState,
-    /// Its twists in a radian, over their square.
+    /// The course's twists for a unit, over their square.
     course: Vec<f64>,
 }
 
-impl Condition for PhaseOf {
+impl PhaseAlong {
+    /// Along `course`, material increments of all motions, from the state `from`; none if it leads
+    /// nowhere.
+    pub fn new(
+        equations: &Collocation,
+        from: &GridState,
+        name: &str,
+        course: &[f64],
+    ) -> Option<Self> {
+        let product = InnerProduct::new(equations, 1.0);
+        let square = product.of(equations.layout(), course, course);
+        // Written so that NaN is none either.
+        (square.sqrt() > STANDSTILL).then(|| PhaseAlong {
+            name: name.into(),
+            from: from.clone(),
+            course: course.iter().map(|x| x / square).collect(),
+        })
+    }
+}
+
+impl Condition for PhaseAlong {
     fn name(&self) -> String {
-        Phase::NAME.into()
+        self.name.clone()
     }
 
     fn scale(&self, _: &Collocation) -> f64 {

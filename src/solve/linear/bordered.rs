@@ -29,6 +29,9 @@ use crate::solve::report::{Timings, timed};
 
 /// Scaled stiffness of the nodes against the ground.
 pub(crate) const GROUNDING: f64 = 1e-7;
+/// The same where the iteration with less does not end: of a turn and its momentum, both of which
+/// nothing holds, solutions grow with the inverse of its square.
+const FIRMER: f64 = 1e-5;
 /// Growth of `J` that asks for it.
 const SUSPECT: f64 = 1e12;
 /// Most products of a linear solve, and vectors that are kept.
@@ -121,8 +124,8 @@ impl<L: LinearSolver> Bordered<L> {
         self.at = Some(state.clone());
         self.is_evaluated = false;
         self.borders.forget_elimination();
-        let inner = &mut self.inner;
         loop {
+            let inner = &mut self.inner;
             let regular = match near {
                 true => inner.move_to(equations, state, timings)?,
                 false => inner.linearise(equations, state, timings)?,
@@ -301,7 +304,26 @@ impl<L: LinearSolver> LinearSolver for Bordered<L> {
         if at_once.is_some() {
             rhs.copy_from_slice(&self.kept);
         }
-        self.solve_by_elimination(equations, rhs, accuracy, timings)
+        let wanted = self.kept.clone();
+        loop {
+            if self.solve_by_elimination(equations, rhs, accuracy, timings)? {
+                return Ok(true);
+            }
+            // Growth does not tell of each singular matrix.
+            let firmer = match equations.grounding() {
+                0.0 => GROUNDING,
+                GROUNDING => FIRMER,
+                _ => return Ok(false),
+            };
+            let (None, Some(state)) = (at_once, self.at.clone()) else {
+                return Ok(false);
+            };
+            rhs.copy_from_slice(&wanted);
+            equations.ground(firmer);
+            if !self.factor(equations, &state, timings, false)? {
+                return Ok(false);
+            }
+        }
     }
 
     fn has_compliance(&self) -> bool {
@@ -425,7 +447,11 @@ mod tests {
         bordered.borders = borders;
         let timings = &mut Timings::default();
         let equations = &mut at.equations;
-        assert!(bordered.factor(equations, &at.state, timings).unwrap());
+        assert!(
+            bordered
+                .factor(equations, &at.state, timings, false)
+                .unwrap()
+        );
         let mut found = rhs;
         assert!(
             bordered
@@ -498,7 +524,9 @@ mod tests {
         let mut bordered = Bordered::new(&at.equations, linear);
         bordered.borders = borders(&at.equations, 1);
         let (equations, timings) = (&mut at.equations, &mut Timings::default());
-        bordered.factor(equations, &at.state, timings).unwrap();
+        bordered
+            .factor(equations, &at.state, timings, false)
+            .unwrap();
         assert!(bordered.growth(equations) > 1e13);
         assert!(matches!(
             bordered.explain(equations, &at.state),
@@ -509,7 +537,11 @@ mod tests {
         let borders = &mut bordered.borders;
         borders.columns[0].fill(0.0);
         borders.rows[0].fill(0.0);
-        assert!(!bordered.factor(equations, &at.state, timings).unwrap());
+        assert!(
+            !bordered
+                .factor(equations, &at.state, timings, false)
+                .unwrap()
+        );
         assert!(matches!(
             bordered.explain(equations, &at.state),
             Singularity::Unsolved(_)

@@ -58,6 +58,7 @@ impl Borders {
 
     /// Finds the Schur complement, by what solves with `J`. `false` if that cannot be done.
     pub fn eliminate(&mut self, mut solve: impl FnMut(&mut [f64]) -> Result<bool>) -> Result<bool> {
+        self.undetermined = None;
         self.eliminated.clone_from(&self.columns);
         for column in &mut self.eliminated {
             if !solve(column)? {

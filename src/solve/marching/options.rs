@@ -12,7 +12,8 @@ use nalgebra::Vector6;
 pub struct StartState {
     /// Motion of each node.
     pub motions: Vec<Motion>,
-    /// Material velocity of each node; at rest if there are none.
+    /// Material velocity of each node in the inertial frame; if there are none, all is at rest in
+    /// the frame that motions are described in.
     pub twists: Vec<Vector6<f64>>,
     /// Internal states of all elements, at the places of the own unknowns of an instant, and the
     /// last values of the tracked coordinates. Without them internal states are relaxed.

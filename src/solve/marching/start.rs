@@ -64,7 +64,10 @@ fn given_or_rigid(
     state.track(system);
     let mut at = MotionState::at_rest(options.start_time, state);
     if !given.twists.is_empty() {
-        at.twist.copy_from_slice(&given.twists);
+        let given = given.motions.iter().zip(&given.twists);
+        for (twist, (motion, given)) in at.twist.iter_mut().zip(given) {
+            *twist = given + system.at_inertial_rest(motion).twist;
+        }
     }
     Ok((at, given.internal.is_some()))
 }
