@@ -2290,7 +2290,8 @@ class Branch(BranchExtras):
 
 
 class Conditions(Handle):
-    """Free parameters, and as many conditions. Made by ConditionsNew, freed by ConditionsFree."""
+    """Free parameters, and as many conditions. Made by Conditions.new, freed by Conditions.free.
+    """
 
     _free = lib.pdn_conditions_free
 
@@ -2365,7 +2366,7 @@ class Conditions(Handle):
     def add_joint_coordinate(self, joint, coordinate, value):
         """Adds the condition that a joint coordinate has a value at the start of the period.
 
-        With ConditionsAddPhase, and a start that turns back at time zero, it is the amplitude
+        With Conditions.add_phase, and a start that turns back at time zero, it is the amplitude
         of a free motion.
 
         Args:
@@ -3271,7 +3272,7 @@ class Model(ModelExtras):
         after the period T but for a turn of rate T. Supports that are no different when they
         turn about the axis, such as a hinge along it, are those of the inertial frame; the turn
         in a period may be unknown: a free parameter (NUMBER_FRAME_RATE) with a condition
-        (ConditionsAddRotationPhase). All analyses are in the frame: also statics, modes,
+        (Conditions.add_rotation_phase). All analyses are in the frame: also statics, modes,
         marches and stability.
 
         Args:

@@ -95,3 +95,37 @@ def test_multipliers():
     wanted = sorted(np.exp(2 * np.pi * exponents), key=lambda z: z.imag)
     found = sorted(stability.multipliers, key=lambda z: z.imag)
     np.testing.assert_allclose(found, wanted, atol=1e-9)
+
+
+def test_a_frame_that_turns_softens_a_radial_spring():
+    model, body, _, _ = driven()
+    model.set_turning_frame([0, 0, 2], 1.0)
+    axis, rate, point = model.turning_frame()
+    np.testing.assert_array_equal(axis, [0, 0, 1])
+    np.testing.assert_array_equal(point, np.zeros(3))
+    assert rate == 1.0
+    found = model.add_parameter("rate", 1.0, 1.0)
+    model.move_number(found, pdn.NUMBER_FRAME_RATE, 0, 0, 1.0)
+    position = pdn.Quantity(kind=pdn.QUANTITY_POSITION, object=body, component=0)
+    _, _, cosines, sines = model.solve_periodic(2 * np.pi).quantity_harmonics(position, 1)
+    # 4 - rate^2 is what the spring has left.
+    amplitude = 1 / abs(2 + 0.1j)
+    assert np.hypot(cosines[0], sines[0]) == pytest.approx(amplitude)
+    # The rate for a component of the response, from another start.
+    conditions = pdn.Conditions()
+    conditions.release(found)
+    conditions.add_quantity(position, pdn.FEATURE_COSINE, 1, (1 / (2 + 0.1j)).real, 0)
+    model.set_parameter(found, 1.1)
+    solution = model.solve_conditioned(2 * np.pi, conditions)
+    assert solution.converged
+    assert abs(solution.parameter(found)) == pytest.approx(1.0, abs=1e-9)
+
+
+def test_a_phase_of_a_motion_needs_a_direction():
+    conditions = pdn.Conditions()
+    conditions.add_rotation_phase([0, 0, 1])
+    conditions.add_translation_phase([1, 0, 0])
+    with pytest.raises(pdn.Error, match="^axis: "):
+        conditions.add_rotation_phase([0, 0, 0])
+    with pytest.raises(pdn.Error, match="^direction: "):
+        conditions.add_translation_phase([0, 0, 0])
