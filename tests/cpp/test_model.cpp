@@ -258,6 +258,12 @@ static void everything()
     m.prescribe(8, Coordinate::rotation, pdn::Signal::samples(0, {0, 0.1, 0}));
     m.set_gravity({0, 0, -9.81});
     m.set_gravity(0.0, 0.0, [](double) { return -9.81; });
+    m.set_turning_frame({0, 0, 2}, 1.5, {1, 0, 0});
+    const pdn::TurningFrame frame = m.turning_frame();
+    CHECK(frame.rate == 1.5 && frame.axis[2] == 1 && frame.point[0] == 1);
+    pdn::Conditions phases;
+    phases.add_rotation_phase(frame.axis);
+    phases.add_translation_phase({1, 0, 0});
     std::int32_t forces = 0;
     for (const auto force : {
              m.add_spring_damper(6, Coordinate::displacement_2, 1),

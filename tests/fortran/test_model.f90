@@ -265,8 +265,9 @@ contains
         type(pdn_joint_info) :: pair
         type(pdn_force_info) :: force
         type(pdn_tangent_check) :: tangents
+        type(pdn_conditions) :: phases
         character(:), allocatable :: text
-        real(dp) :: unit(6, 6), mass, centre(3), number
+        real(dp) :: unit(6, 6), mass, centre(3), number, axis(3), point(3)
         integer :: a, b, id, joints, forces, nodes, i
 
         unit = 0
@@ -297,6 +298,14 @@ contains
         call m%set_gravity([0.0_dp, 0.0_dp, -9.81_dp])
         call m%set_gravity_signals(pdn_constant(0.0_dp), pdn_constant(0.0_dp), &
             pdn_constant(-9.81_dp))
+        call m%set_turning_frame([0.0_dp, 0.0_dp, 2.0_dp], 1.5_dp)
+        axis = 0
+        point = 1
+        call m%turning_frame(axis, number, point)
+        call check(number == 1.5_dp .and. axis(3) == 1 .and. maxval(abs(point)) == 0, 'frame')
+        call phases%new()
+        call phases%add_rotation_phase(axis)
+        call phases%add_translation_phase(axis)
         call m%add_spring_damper(6, PDN_DISPLACEMENT_2, 1.0_dp, 0.0_dp, 0.0_dp)
         call m%add_nonlinear_spring_damper(6, PDN_DISPLACEMENT_3, [1.0_dp, 0.0_dp, 2.0_dp], &
             [0.1_dp], 0.0_dp)
