@@ -54,6 +54,7 @@ pub use surface::{annulus_sector, cylinder, rectangle};
 pub use turning_frame::TurningFrame;
 pub use user_function::UserFunction;
 pub(crate) use user_function::absent;
+pub(crate) use validation::direction;
 
 use crate::error::{Result, require_finite};
 use crate::motion::Motion;

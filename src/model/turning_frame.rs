@@ -1,7 +1,8 @@
 //! A frame that turns steadily, in which a model and its motions are described.
 
 use super::Model;
-use crate::error::{Error, Result, require_finite};
+use super::validation::direction;
+use crate::error::{Result, require_finite};
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
@@ -60,16 +61,11 @@ impl Model {
         rate: f64,
         point: &Vector3<f64>,
     ) -> Result<()> {
-        require_finite("axis", axis.as_slice())?;
+        let axis = direction("axis", axis)?.normalize();
         require_finite("rate", &[rate])?;
         require_finite("point", point.as_slice())?;
-        let length = axis.amax();
-        if length == 0.0 {
-            let got = format!("({}, {}, {})", axis.x, axis.y, axis.z);
-            return Err(Error::value("axis", "a vector other than zero", got));
-        }
         let frame = TurningFrame {
-            axis: (axis / length).normalize(),
+            axis,
             rate,
             point: *point,
         };

@@ -66,7 +66,7 @@ pub(super) fn require_rotation(name: &str, r: &Matrix3<f64>) -> Result<Matrix3<f
 }
 
 /// A vector of the direction of `v`, of moderate length whatever that of `v`.
-pub(super) fn direction(name: &str, v: &Vector3<f64>) -> Result<Vector3<f64>> {
+pub(crate) fn direction(name: &str, v: &Vector3<f64>) -> Result<Vector3<f64>> {
     require_finite(name, v.as_slice())?;
     let size = v.amax();
     if size == 0.0 {

@@ -147,6 +147,14 @@ impl DualVector {
         }
     }
 
+    /// The twist at the origin of what turns with `angular` about an axis through `point`.
+    pub fn of_turn(angular: &Vector3<f64>, point: &Vector3<f64>) -> Self {
+        DualVector {
+            primal: *angular,
+            dual: point.cross(angular),
+        }
+    }
+
     /// As a twist `[linear; angular]`.
     #[inline]
     pub fn to_twist(self) -> Vector6<f64> {

@@ -96,17 +96,13 @@ impl Solution {
                 solve.grid.points()
             )?;
         }
-        if let Some(standstill) = solve.system.standstill() {
-            let w = solve.system.frame_velocity().unwrap_or_default();
+        let frame = solve.system.frame_velocity();
+        let time = (solve.system.standstill()).map(|s| format!("at time {}, ", s.time));
+        if frame.is_some() || time.is_some() {
+            let (w, time) = (frame.unwrap_or_default(), time.unwrap_or_default());
             writeln!(
                 text,
-                "  at time {}, in a frame with the angular velocity ({}, {}, {})",
-                standstill.time, w.x, w.y, w.z
-            )?;
-        } else if let Some(w) = solve.system.frame_velocity() {
-            writeln!(
-                text,
-                "  in a frame with the angular velocity ({}, {}, {})",
+                "  {time}in a frame with the angular velocity ({}, {}, {})",
                 w.x, w.y, w.z
             )?;
         }

@@ -16,6 +16,13 @@ pub(super) struct DrivenSignal {
     place: String,
 }
 
+impl DrivenSignal {
+    /// Its value under all loads.
+    fn value(&self, time: f64) -> Result<f64> {
+        (self.signal.value(time)).map_err(|e| e.within(&self.place))
+    }
+}
+
 impl System {
     /// Adds a signal that repeats itself, or gains whole multiples of `unit` in a period.
     pub(super) fn add_signal(
@@ -55,10 +62,7 @@ impl System {
             return Err(absent());
         }
         for (value, driven) in values.iter_mut().zip(&self.signals) {
-            let full = driven
-                .signal
-                .value(time)
-                .map_err(|e| e.within(&driven.place))?;
+            let full = driven.value(time)?;
             *value = if load_factor == 1.0 {
                 full
             } else {
@@ -110,6 +114,18 @@ impl System {
         self.gravity.map_or(Vector3::zeros(), |[x, y, z]| {
             Vector3::new(signals[x], signals[y], signals[z])
         })
+    }
+
+    /// Acceleration of gravity at `time`, under all loads.
+    ///
+    /// # Errors
+    /// Those of functions of the user.
+    pub(super) fn gravity_at(&self, time: f64) -> Result<Vector3<f64>> {
+        let mut gravity = Vector3::zeros();
+        for (component, &number) in gravity.iter_mut().zip(self.gravity.iter().flatten()) {
+            *component = self.signals[number].value(time)?;
+        }
+        Ok(gravity)
     }
 
     /// The harmonics of all signals: those of functions, of their values at `points` (odd) times.

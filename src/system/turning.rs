@@ -76,11 +76,7 @@ pub(super) struct Turning {
 impl Turning {
     /// Twist of a frame at the origin that turns with `angular` about the axis.
     fn twist(&self, angular: &Vector3<f64>) -> Vector6<f64> {
-        let twist = DualVector {
-            primal: *angular,
-            dual: self.point.cross(angular),
-        };
-        twist.to_twist()
+        DualVector::of_turn(angular, &self.point).to_twist()
     }
 }
 
@@ -125,11 +121,8 @@ impl System {
             Some(_) => 1,
             None => TIMES,
         };
-        let mut values = vec![0.0; self.signals()];
         for k in 0..times {
-            let time = self.period() * k as f64 / times as f64;
-            self.signal_values(time, 1.0, &mut values)?;
-            let gravity = self.gravity(&values);
+            let gravity = self.gravity_at(self.period() * k as f64 / times as f64)?;
             let across = gravity.cross(axis).norm();
             if across > PARALLEL * gravity.norm() {
                 return Err(Error::new(

@@ -4,6 +4,7 @@ use super::Condition;
 use super::phase::{PhaseAlong, unknown_start};
 use crate::collocation::{Collocation, GridState};
 use crate::error::{Error, ErrorKind, Result, require_finite};
+use crate::model::direction;
 use crate::motion::DualVector;
 use nalgebra::{Vector3, Vector6};
 use std::sync::Arc;
@@ -25,11 +26,7 @@ impl RigidPhase {
     /// If an argument has no finite values, or `axis` has no direction.
     pub fn rotation(axis: &Vector3<f64>, point: &Vector3<f64>) -> Result<Self> {
         require_finite("point", point.as_slice())?;
-        let axis = direction("axis", axis)?;
-        let twist = DualVector {
-            primal: axis,
-            dual: point.cross(&axis),
-        };
+        let twist = DualVector::of_turn(&direction("axis", axis)?.normalize(), point);
         Ok(RigidPhase {
             is_translation: false,
             twist: twist.to_twist(),
@@ -43,23 +40,13 @@ impl RigidPhase {
     pub fn translation(along: &Vector3<f64>) -> Result<Self> {
         let twist = DualVector {
             primal: Vector3::zeros(),
-            dual: direction("direction", along)?,
+            dual: direction("direction", along)?.normalize(),
         };
         Ok(RigidPhase {
             is_translation: true,
             twist: twist.to_twist(),
         })
     }
-}
-
-/// A direction of length 1.
-fn direction(name: &str, given: &Vector3<f64>) -> Result<Vector3<f64>> {
-    require_finite(name, given.as_slice())?;
-    let size = given.amax();
-    if size == 0.0 {
-        return Err(Error::value(name, "a vector other than zero", "(0, 0, 0)"));
-    }
-    Ok((given / size).normalize())
 }
 
 impl Condition for RigidPhase {

@@ -304,7 +304,7 @@ impl<L: LinearSolver> LinearSolver for Bordered<L> {
         if at_once.is_some() {
             rhs.copy_from_slice(&self.kept);
         }
-        let wanted = self.kept.clone();
+        // What follows keeps the same right side there.
         loop {
             if self.solve_by_elimination(equations, rhs, accuracy, timings)? {
                 return Ok(true);
@@ -318,7 +318,7 @@ impl<L: LinearSolver> LinearSolver for Bordered<L> {
             let (None, Some(state)) = (at_once, self.at.clone()) else {
                 return Ok(false);
             };
-            rhs.copy_from_slice(&wanted);
+            rhs.copy_from_slice(&self.kept);
             equations.ground(firmer);
             if !self.factor(equations, &state, timings, false)? {
                 return Ok(false);
