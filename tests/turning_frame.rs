@@ -239,7 +239,9 @@ fn a_spherical_pendulum_finds_its_net_rotation() {
     let speed = Quantity::Node(bob, NodeQuantity::Velocity).component(1);
     let conditions: [Arc<dyn Condition>; 4] = [
         Arc::new(Phase),
-        Arc::new(RigidPhase::rotation(&Vector3::z(), &Vector3::zeros()).unwrap()),
+        Arc::new(RigidPhase(
+            RigidMotion::rotation(&Vector3::z(), &Vector3::zeros()).unwrap(),
+        )),
         Arc::new(JointCoordinateIs { at, value }),
         Arc::new(is_at_start(speed, -1.5)),
     ];
@@ -396,7 +398,9 @@ fn a_free_body_that_wobbles_is_eulers() {
     let amplitude = ((2.0 * energy * c - momentum * momentum) / (a * (c - a))).sqrt();
     let conditions: [Arc<dyn Condition>; 4] = [
         Arc::new(Phase),
-        Arc::new(RigidPhase::rotation(&Vector3::z(), &origin).unwrap()),
+        Arc::new(RigidPhase(
+            RigidMotion::rotation(&Vector3::z(), &origin).unwrap(),
+        )),
         Arc::new(is_at_start(velocity.component(3), amplitude)),
         Arc::new(spin),
     ];

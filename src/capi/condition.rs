@@ -14,7 +14,9 @@ use crate::error::{Error, Result};
 use crate::model::{JointCoordinate, Model};
 use crate::output::Solution;
 use crate::quantity::Feature;
-use crate::solve::{Condition, Energy, Free, JointCoordinateIs, OutputIs, Phase, RigidPhase};
+use crate::solve::{
+    Condition, Energy, Free, JointCoordinateIs, OutputIs, Phase, RigidMotion, RigidPhase,
+};
 use nalgebra::Vector3;
 use std::sync::Arc;
 
@@ -150,7 +152,7 @@ pub unsafe extern "C" fn pdn_conditions_add_rotation_phase(
         let axis = Vector3::from(call.array::<3>(axis, "axis")?);
         let point = call.array_optional::<3>(point, "point")?;
         let point = point.map_or(Vector3::zeros(), Vector3::from);
-        let condition = RigidPhase::rotation(&axis, &point)?;
+        let condition = RigidPhase(RigidMotion::rotation(&axis, &point)?);
         conditions.conditions.push(Arc::new(condition));
         Ok(())
     })
@@ -175,7 +177,7 @@ pub unsafe extern "C" fn pdn_conditions_add_translation_phase(
     guard(|call| {
         let mut conditions = call.exclusive(conditions, "conditions")?;
         let direction = Vector3::from(call.array::<3>(direction, "direction")?);
-        let condition = RigidPhase::translation(&direction)?;
+        let condition = RigidPhase(RigidMotion::translation(&direction)?);
         conditions.conditions.push(Arc::new(condition));
         Ok(())
     })

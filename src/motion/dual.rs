@@ -387,6 +387,11 @@ impl DualMatrix {
     }
 }
 
+/// `Ṽ`, the 6×6 matrix of a twist: `Ṽ W` is the dual cross product of both.
+pub fn tilde(twist: &Vector6<f64>) -> Matrix6<f64> {
+    DualVector::from_twist(twist).skew().to_twist_matrix()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

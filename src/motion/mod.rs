@@ -13,7 +13,7 @@ mod product;
 mod rigid;
 mod rotation;
 
-pub use dual::{Dual, DualMatrix, DualVector};
+pub use dual::{Dual, DualMatrix, DualVector, tilde};
 pub use halves::{halves, joined, turn_of_both, turned};
 pub use interpolation::DualPolar;
 pub use logarithm::inverse_tangent;

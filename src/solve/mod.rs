@@ -27,7 +27,8 @@ pub use branches::{
     follow_branch, follow_locus, switch_branch,
 };
 pub use conditions::{
-    Condition, Energy, Free, Given, JointCoordinateIs, OutputIs, Phase, RigidPhase,
+    Condition, Energy, Free, Given, JointCoordinateIs, Momentum, OutputIs, Phase, RigidMotion,
+    RigidPhase,
 };
 pub use equilibrium::{StaticOptions, solve_static};
 pub use linear::diagnosis::describe_dependencies;

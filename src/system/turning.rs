@@ -8,18 +8,13 @@ use super::System;
 use crate::elements::{Contribution, NodeState};
 use crate::error::{Error, ErrorKind, Result};
 use crate::model::{BoundSignal, TurningFrame};
-use crate::motion::{DualVector, Motion};
+use crate::motion::{DualVector, Motion, tilde};
 use nalgebra::{Matrix6, Vector3, Vector6};
 
 /// How far gravity may be off the axis: components written with 9 digits pass.
 const PARALLEL: f64 = 1e-8;
 /// Times in a period at which gravity is looked at.
 const TIMES: usize = 7;
-
-/// `Ṽ`, the 6×6 matrix of a twist.
-fn tilde(twist: &Vector6<f64>) -> Matrix6<f64> {
-    DualVector::from_twist(twist).skew().to_twist_matrix()
-}
 
 /// A state in the inertial frame, from one in a frame with the twist `frame`.
 pub(super) fn inertial(state: &NodeState, frame: &Vector6<f64>) -> NodeState {

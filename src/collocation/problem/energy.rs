@@ -10,7 +10,7 @@ use nalgebra::{DVector, Vector6};
 
 impl Collocation {
     /// Momenta of an inertia's nodes at grid point `k`.
-    fn momenta(&self, inertia: &Inertia, k: usize) -> (DVector<f64>, DVector<f64>) {
+    pub(super) fn momenta(&self, inertia: &Inertia, k: usize) -> (DVector<f64>, DVector<f64>) {
         let nodes = inertia.nodes();
         let mut twists = DVector::zeros(6 * nodes.len());
         for (a, &node) in nodes.iter().enumerate() {
@@ -96,14 +96,31 @@ impl Collocation {
                 }
             }
         }
+        self.vary_inertias(row, |inertia, k| {
+            let (momenta, _) = self.momenta(inertia, k);
+            [DVector::zeros(momenta.len()), momenta]
+        });
+        Ok(())
+    }
+
+    /// Adds the derivatives of a mean over the period by material increments of the motions to
+    /// `row`, where `factors` tells for each inertia and grid point what that varies by with the
+    /// motions of its nodes, and with their velocities in the inertial frame.
+    pub(super) fn vary_inertias(
+        &self,
+        row: &mut [f64],
+        factors: impl Fn(&Inertia, usize) -> [DVector<f64>; 2],
+    ) {
+        let (points, system) = (self.grid.points(), &self.system);
+        let shares = self.grid.shares();
         let mut by_rates = vec![[Vector6::zeros(); 2]; points * system.nodes()];
         for inertia in system.inertias() {
-            for k in 0..points {
-                let (momenta, _) = self.momenta(inertia, k);
+            for (k, share) in shares.iter().enumerate() {
+                let all = factors(inertia, k);
                 for (a, &node) in inertia.nodes().iter().enumerate() {
                     let at = node * points + k;
-                    let momentum = momenta.fixed_rows::<6>(6 * a) * shares[k];
-                    let mut factors = [Vector6::zeros(), momentum, Vector6::zeros()];
+                    let [motion, velocity] = [0, 1].map(|i| all[i].fixed_rows::<6>(6 * a) * *share);
+                    let mut factors = [motion, velocity, Vector6::zeros()];
                     system.vary_in_frame(&self.instants.states[at], &mut factors);
                     let row = &mut row[self.layout.motion(node, k)];
                     row.iter_mut().zip(&factors[0]).for_each(|(x, d)| *x += d);
@@ -117,7 +134,6 @@ impl Collocation {
             self.rule
                 .vary_transposed(node, by_rates, &mut workspace, out);
         }
-        Ok(())
     }
 }
 

@@ -3,6 +3,7 @@
 mod energy;
 mod ground;
 mod linearised;
+mod momentum;
 mod oversampled;
 mod resultants;
 mod scalars;

@@ -9,8 +9,10 @@ mod equations;
 mod given;
 mod inner_product;
 mod joint_coordinate;
+mod momentum;
 mod output;
 mod phase;
+mod rigid_motion;
 mod rigid_phase;
 
 pub(crate) use arc_length::ArcLength;
@@ -20,8 +22,10 @@ pub use equations::Free;
 pub use given::Given;
 pub(crate) use inner_product::InnerProduct;
 pub use joint_coordinate::JointCoordinateIs;
+pub use momentum::Momentum;
 pub use output::OutputIs;
 pub use phase::Phase;
+pub use rigid_motion::RigidMotion;
 pub use rigid_phase::RigidPhase;
 
 use crate::collocation::{Collocation, GridState};

@@ -19,6 +19,8 @@ const TOLERANCE: f64 = 1e-3;
 const SPURIOUS: f64 = 0.5;
 /// A step that needs more iterations than this is halved.
 const ITERATION_LIMIT: usize = 12;
+/// A load step along which Newton's method goes on by so many short ones is halved.
+const PATIENCE: usize = 2;
 /// A step that needs fewer is doubled.
 const EASY_ITERATIONS: usize = 5;
 /// Steps taken over a period at least: an angle of a turn a period moves 18 degrees.
@@ -211,9 +213,11 @@ impl<'a> Tracker<'a> {
             tolerance: self.tolerance,
             iteration_limit: ITERATION_LIMIT,
         };
+        self.newton.patience = (passed <= 0.0).then_some(PATIENCE);
         let report = self
             .newton
             .solve_motions(&mut trial, &options, self.observe);
+        self.newton.patience = None;
         let iterations = match report {
             Ok(report) if report.outcome == Outcome::Converged => report.iterations.len(),
             Ok(report) => return Ok(Err((report.outcome, report.explanation))),
