@@ -6,6 +6,7 @@ use crate::solve::linear::dense::{largest, probe};
 use crate::solve::linear::diagnosis::{Singularity, diagnose};
 use crate::solve::linear::direct::{Columns, DirectSolver};
 use crate::solve::linear::freedoms::FreedomSolver;
+use crate::solve::linear::front::Held;
 use crate::solve::linear::slender::Slender;
 use crate::solve::linear::solver::LinearSolver;
 use crate::solve::report::{Timings, timed};
@@ -25,6 +26,8 @@ pub(crate) struct Assembled {
     slender: Option<Box<Slender>>,
     /// Whether the present factors are those of the freedoms.
     by_freedoms: bool,
+    /// Whether factors may be those of what is held, where the Jacobian is singular.
+    holds: bool,
     /// Where the equations were linearised last, if their Jacobian was not formed.
     unformed: Option<GridState>,
     /// Scaled compliance of constraints in the values.
@@ -47,6 +50,7 @@ impl Assembled {
             freedoms,
             slender: Slender::new(equations).map(Box::new),
             by_freedoms: false,
+            holds: false,
             unformed: None,
             regularisation: 0.0,
             workers: equations.workers().clone(),
@@ -98,9 +102,13 @@ impl Assembled {
     pub(crate) fn factor_all(&mut self, equations: &Collocation) -> Result<bool> {
         self.by_freedoms = false;
         let (pattern, workers) = (pattern_of(&self.pattern, equations), &self.workers);
+        let holds = self.holds;
         let solver = self.solver.get_or_insert_with(|| {
             let mut solver = DirectSolver::new(pattern);
             solver.set_workers(workers.clone());
+            if holds {
+                solver.hold();
+            }
             solver
         });
         solver.factor(&self.values)
@@ -144,7 +152,9 @@ impl Assembled {
     ) -> Result<bool> {
         if let (Some(slender), Some(solver)) = (&mut self.slender, &self.solver) {
             let wanted = rhs.to_vec();
-            if slender.solve(equations, rhs, accuracy, |x| solver.solve(x)) {
+            let held: Vec<Held> = solver.held().collect();
+            let substitute = |x: &mut [f64]| solver.solve(x);
+            if slender.solve((equations, &held), rhs, accuracy, substitute) {
                 return Ok(true);
             }
             rhs.copy_from_slice(&wanted);
@@ -156,7 +166,8 @@ impl Assembled {
             }
             rhs.copy_from_slice(&wanted);
             self.complete(equations)?;
-            if !self.factor_all(equations)? {
+            // What is held is not expected.
+            if !self.factor_all(equations)? || !self.held().is_empty() {
                 return Ok(false);
             }
         }
@@ -235,6 +246,17 @@ impl LinearSolver for Assembled {
 
     fn has_compliance(&self) -> bool {
         !self.by_freedoms
+    }
+
+    fn hold(&mut self) {
+        self.holds = true;
+    }
+
+    fn held(&self) -> Vec<Held> {
+        match &self.solver {
+            Some(solver) if !self.by_freedoms => solver.held().collect(),
+            _ => Vec::new(),
+        }
     }
 
     fn growth(&mut self, equations: &mut Collocation) -> f64 {

@@ -66,6 +66,8 @@ impl<L: LinearSolver> Bordered<L> {
     /// For `equations` with scalars.
     pub fn new(equations: &Collocation, inner: L) -> Self {
         let (system, points) = (equations.system(), equations.grid().points());
+        let mut inner = inner;
+        inner.hold();
         Bordered {
             inner,
             at: None,
@@ -91,6 +93,7 @@ impl<L: LinearSolver> Bordered<L> {
         if self.inner.tangent().is_some() {
             return self.factor(equations, state, timings, true);
         }
+        self.borders.set_held(self.inner.held());
         self.eliminates = false;
         self.at = Some(state.clone());
         self.is_evaluated = false;
@@ -137,6 +140,7 @@ impl<L: LinearSolver> Bordered<L> {
                 near = false;
                 continue;
             }
+            self.borders.set_held(inner.held());
             self.determined = regular;
             self.eliminates = equations.grounding() == 0.0;
             let tangent = inner.tangent();

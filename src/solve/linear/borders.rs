@@ -2,6 +2,7 @@
 
 use crate::collocation::{Collocation, GridState, Tangent};
 use crate::error::Result;
+use crate::solve::linear::front::Held;
 use nalgebra::{DMatrix, DVector};
 
 /// Pivot of the Schur complement, relative to others, that is rounding.
@@ -14,9 +15,12 @@ pub(crate) struct Borders {
     pub columns: Vec<Vec<f64>>,
     /// `[C D]`, row by row.
     pub rows: Vec<Vec<f64>>,
-    /// `J⁻¹ B`.
+    /// What is added to `J` where it is eliminated: `J + E H Fᵀ`, with unit vectors `E` and `F`. So
+    /// `q = H Fᵀ x` are scalars beside `p`, with columns `−E`.
+    held: Vec<Held>,
+    /// `J⁻¹ [B −E]`.
     pub eliminated: Vec<Vec<f64>>,
-    /// `(D − C J⁻¹ B)⁻¹`.
+    /// `(D − C J⁻¹ B)⁻¹`, of all scalars.
     pub inverse: DMatrix<f64>,
     /// Equation and unknown that it leaves undetermined.
     pub undetermined: Option<[usize; 2]>,
@@ -60,13 +64,19 @@ impl Borders {
     pub fn eliminate(&mut self, mut solve: impl FnMut(&mut [f64]) -> Result<bool>) -> Result<bool> {
         self.undetermined = None;
         self.eliminated.clone_from(&self.columns);
+        let size = self.columns.first().map_or(0, Vec::len);
+        for held in &self.held {
+            let mut column = vec![0.0; size];
+            column[held.row] = -1.0;
+            self.eliminated.push(column);
+        }
         for column in &mut self.eliminated {
             if !solve(column)? {
                 return Ok(false);
             }
         }
         let complement = self.complement(&self.eliminated);
-        self.undetermined = smallest_pivot(&complement);
+        self.undetermined = smallest_pivot(&complement, self.count());
         if self.undetermined.is_some() {
             return Ok(false);
         }
@@ -75,12 +85,30 @@ impl Borders {
         Ok(found.map(|inverse| self.inverse = inverse).is_some())
     }
 
-    /// `D − C X`, where the first entries of `eliminated` are the columns of `X`.
+    /// `D − C X`, where the first entries of `eliminated` are the columns of `X`; of as many scalars
+    /// as it has columns.
     pub fn complement(&self, eliminated: &[Vec<f64>]) -> DMatrix<f64> {
-        DMatrix::from_fn(self.rows.len(), self.columns.len(), |i, j| {
-            let (row, size) = (&self.rows[i], self.columns[j].len());
-            row[size + j] - dot(row, &eliminated[j][..size])
+        let count = self.count();
+        DMatrix::from_fn(eliminated.len(), eliminated.len(), |i, j| match i < count {
+            true => {
+                let (row, size) = (&self.rows[i], self.columns[0].len());
+                let own = row.get(size + j).unwrap_or(&0.0);
+                own - dot(&row[..size], &eliminated[j])
+            }
+            false => {
+                let held = &self.held[i - count];
+                let own = if i == j { -1.0 } else { 0.0 };
+                own - held.added * eliminated[j][held.column]
+            }
         })
+    }
+
+    /// Takes what is held where `J` is eliminated.
+    pub fn set_held(&mut self, held: Vec<Held>) {
+        if self.held != held {
+            self.held = held;
+            self.forget_elimination();
+        }
     }
 
     /// Number of scalars.
@@ -95,7 +123,7 @@ impl Borders {
 
     /// Whether the Schur complement is known.
     pub fn is_eliminated(&self) -> bool {
-        self.inverse.nrows() == self.rows.len()
+        self.inverse.nrows() == self.rows.len() + self.held.len()
     }
 
     /// Adds `B p`, and writes `C x + D p` to the end; between may stand what is not of the grid.
@@ -130,14 +158,19 @@ impl Borders {
     /// Makes of `[f; g]` on the right of the transposed equations `[Jᵀ x; p]`.
     pub fn reduce_transposed(&self, y: &mut [f64]) {
         let (f, g) = y.split_at_mut(y.len() - self.rows.len());
-        let rest = g.iter().zip(&self.eliminated).map(|(g, e)| g - dot(e, f));
+        let of_scalar = |j: usize| g.get(j).unwrap_or(&0.0);
+        let rest = (self.eliminated.iter().enumerate()).map(|(j, e)| of_scalar(j) - dot(e, f));
         let found = self
             .inverse
-            .tr_mul(&DVector::from_iterator(self.rows.len(), rest));
+            .tr_mul(&DVector::from_iterator(self.eliminated.len(), rest));
         for (row, p) in self.rows.iter().zip(&found) {
             f.iter_mut().zip(row).for_each(|(f, c)| *f -= c * p);
         }
-        g.copy_from_slice(found.as_slice());
+        for (held, q) in self.held.iter().zip(found.iter().skip(self.count())) {
+            f[held.column] -= held.added * q;
+        }
+        let count = g.len();
+        g.copy_from_slice(&found.as_slice()[..count]);
     }
 
     /// Makes of `[J⁻¹ f; g]` the solution.
@@ -152,17 +185,20 @@ impl Borders {
         let of_grid = |row: &Vec<f64>| row.len() - self.rows.len();
         let rows = p.iter().zip(&self.rows);
         let rest = rows.map(|(g, row)| g - dot(&row[..of_grid(row)], x));
-        let found = inverse * DVector::from_iterator(self.rows.len(), rest);
+        let of_held = self.held.iter().map(|held| -held.added * x[held.column]);
+        let rest = rest.chain(of_held).take(eliminated.len());
+        let found = inverse * DVector::from_iterator(eliminated.len(), rest);
         for (column, p) in eliminated.iter().zip(&found) {
             x.iter_mut().zip(column).for_each(|(x, e)| *x -= e * p);
         }
-        p.copy_from_slice(found.as_slice());
+        let count = p.len();
+        p.copy_from_slice(&found.as_slice()[..count]);
     }
 }
 
 /// Row and column of a pivot that is none beside the others, where rows and columns are of equal
-/// size.
-fn smallest_pivot(matrix: &DMatrix<f64>) -> Option<[usize; 2]> {
+/// size: among the first, so many, if that can be, as the others have theirs before.
+fn smallest_pivot(matrix: &DMatrix<f64>, first: usize) -> Option<[usize; 2]> {
     let mut left = matrix.clone();
     for mut column in left.column_iter_mut() {
         let size = column.amax();
@@ -177,6 +213,12 @@ fn smallest_pivot(matrix: &DMatrix<f64>) -> Option<[usize; 2]> {
         let places = rows
             .iter()
             .flat_map(|&i| columns.iter().map(move |&j| [i, j]));
+        let others = [&rows, &columns].map(|all| all.iter().any(|&i| i >= first));
+        let places = places.filter(|[i, j]| match others {
+            [true, _] => *i >= first,
+            [_, true] => *j >= first,
+            _ => true,
+        });
         let size = |at: &[usize; 2]| left[(at[0], at[1])].abs();
         let [i, j] = places.max_by(|a, b| size(a).total_cmp(&size(b)))?;
         // Written so that NaN is none.

@@ -7,7 +7,7 @@ use crate::solve::linear::assembled::Assembled;
 use crate::solve::linear::borders::Borders;
 use crate::solve::linear::diagnosis::Singularity;
 use crate::solve::linear::freedoms::FreedomSolver;
-use crate::solve::linear::front::elimination_work;
+use crate::solve::linear::front::{Held, elimination_work};
 use crate::solve::linear::iterative::{Iterative, IterativeRecord, Preconditioner};
 use crate::solve::linear::ordering::plan;
 use crate::solve::linear::solver::{ESTIMATE, LinearSolver};
@@ -141,6 +141,8 @@ pub(crate) struct Linear {
     products: usize,
     /// Products that take as long as factors do.
     most_products: usize,
+    /// Whether factors may be those of what is held.
+    holds: bool,
     /// What iteration took until it was given up.
     given_up: Option<IterativeRecord>,
 }
@@ -255,6 +257,7 @@ impl Linear {
             last: None,
             products: 0,
             most_products: plan.most_products,
+            holds: false,
             given_up: None,
         }
     }
@@ -358,6 +361,9 @@ impl Linear {
             ..iterative.record.clone()
         });
         let mut direct = timed(&mut timings.analysis, || Assembled::new(equations));
+        if self.holds {
+            direct.hold();
+        }
         let regular = direct.linearise(equations, state, timings);
         if matches!(&regular, Err(e) if e.kind() == ErrorKind::OutOfMemory) {
             return Ok(false);
@@ -470,6 +476,15 @@ impl LinearSolver for Linear {
 
     fn has_compliance(&self) -> bool {
         self.active.solver().has_compliance()
+    }
+
+    fn hold(&mut self) {
+        self.holds = true;
+        self.active.solver_mut().hold();
+    }
+
+    fn held(&self) -> Vec<Held> {
+        self.active.solver().held()
     }
 
     fn growth(&mut self, equations: &mut Collocation) -> f64 {

@@ -8,6 +8,7 @@
 use crate::collocation::{Collocation, GridState, Tangent};
 use crate::error::Result;
 use crate::solve::linear::dense::{largest, probe};
+use crate::solve::linear::front::Held;
 use crate::solve::linear::iterative::{GmresOptions, GmresWorkspace, Parts, Preconditioned, gmres};
 
 /// Axial over bending stiffness from which on rounding matters.
@@ -27,12 +28,16 @@ pub(crate) struct Slender {
 struct Operator<'a, S> {
     equations: &'a Collocation,
     tangent: &'a mut Tangent,
+    held: &'a [Held],
     substitute: S,
 }
 
 impl<S: FnMut(&mut [f64]) -> bool> Preconditioned for Operator<'_, S> {
     fn product(&mut self, x: &[f64], y: &mut [f64]) {
         self.tangent.apply(self.equations, x, y);
+        for held in self.held {
+            y[held.row] += held.added * x[held.column];
+        }
     }
 
     fn precondition(&mut self, y: &mut [f64]) {
@@ -61,10 +66,10 @@ impl Slender {
     }
 
     /// Solves in place to the accuracy that is asked for, with the factors by which `substitute`
-    /// does; `false` if that cannot be done.
+    /// does, of the equations with what is held; `false` if that cannot be done.
     pub fn solve(
         &mut self,
-        equations: &Collocation,
+        (equations, held): (&Collocation, &[Held]),
         rhs: &mut [f64],
         accuracy: f64,
         substitute: impl FnMut(&mut [f64]) -> bool,
@@ -80,6 +85,7 @@ impl Slender {
         let mut operator = Operator {
             equations,
             tangent: &mut self.tangent,
+            held,
             substitute,
         };
         let workers = equations.workers();

@@ -4,6 +4,7 @@ use crate::collocation::{Collocation, GridState, Tangent};
 use crate::error::Result;
 use crate::solve::linear::borders::Borders;
 use crate::solve::linear::diagnosis::Singularity;
+use crate::solve::linear::front::Held;
 use crate::solve::report::Timings;
 
 /// Accuracy of linear solves, relative to the increment: far from the solution and of simplified
@@ -97,6 +98,15 @@ pub(crate) trait LinearSolver {
     /// the last linearisation.
     fn has_compliance(&self) -> bool {
         true
+    }
+
+    /// From now on factors may be those of equations to which something is added, which
+    /// [`LinearSolver::held`] tells, where the equations themselves are singular.
+    fn hold(&mut self) {}
+
+    /// What was added to the equations that are solved, by factors of the last linearisation.
+    fn held(&self) -> Vec<Held> {
+        Vec::new()
     }
 
     /// Gives back memory that is only kept to spare taking it again.

@@ -3,7 +3,7 @@
 use crate::error::Result;
 use crate::solve::linear::dense::largest;
 use crate::solve::linear::direct::analysis::Analysis;
-use crate::solve::linear::front::{Front, FrontWorkspace, LARGE_FRONT, make_zero};
+use crate::solve::linear::front::{Front, FrontWorkspace, LARGE_FRONT, NoPivot, make_zero};
 use crate::workers::{Spare, Workers};
 use faer::{Mat, Par};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
@@ -19,6 +19,8 @@ pub(super) struct Factorisation<'a> {
     analysis: &'a Analysis,
     values: &'a [f64],
     smallest_pivot: f64,
+    /// What becomes of unknowns that have no pivots at all.
+    at_root: NoPivot,
     workspaces: Spare<FrontWorkspace>,
     workers: &'a Workers,
 }
@@ -27,13 +29,14 @@ impl<'a> Factorisation<'a> {
     pub fn new(
         analysis: &'a Analysis,
         values: &'a [f64],
-        smallest_pivot: f64,
+        (smallest_pivot, at_root): (f64, NoPivot),
         workers: &'a Workers,
     ) -> Self {
         Factorisation {
             analysis,
             values,
             smallest_pivot,
+            at_root,
             workspaces: Spare::default(),
             workers,
         }
@@ -146,8 +149,11 @@ impl<'a> Factorisation<'a> {
         let assemble = |front: &mut Front, place: &[usize]| {
             self.assemble(f, (first, &*before), place, (front, size))
         };
-        let smallest_pivot = plan.parent.map(|_| self.smallest_pivot);
-        if !front.eliminate(assemble, smallest_pivot, workspace, parallelism)? {
+        let no_pivot = match plan.parent {
+            Some(_) => NoPivot::Waits(self.smallest_pivot),
+            None => self.at_root,
+        };
+        if !front.eliminate(assemble, no_pivot, workspace, parallelism)? {
             return Ok(false);
         }
         for &child in &plan.children {
