@@ -255,8 +255,12 @@ fn it_has_them_at_given_energies_too() {
         });
         let found = solve_for(&model, 2.0, &free, &conditions, &options);
         let off = found.grid().period() - exact;
-        println!("{degrees}: {off:e}, {:?}", increments(&found));
+        let increments = increments(&found);
+        println!("{degrees}: {off:e}, {increments:?}");
         assert!(off.abs() < 2e-11);
+        for pair in increments.windows(2) {
+            assert!(pair[1] <= pair[0] * pair[0] + 1e-11, "{increments:?}");
+        }
     }
     // Of a user's law it is not known.
     let law = CoordinateLaw {

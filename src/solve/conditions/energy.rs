@@ -1,6 +1,6 @@
 //! The energy of a motion.
 
-use super::Condition;
+use super::{Condition, add_by_parameters};
 use crate::collocation::{Collocation, GridState};
 use crate::error::Result;
 
@@ -30,7 +30,8 @@ impl Condition for Energy {
     }
 
     fn gradient(&self, equations: &Collocation, state: &GridState, row: &mut [f64]) -> Result<()> {
-        equations.add_energy_gradient(state, row)
+        equations.add_energy_gradient(state, row)?;
+        add_by_parameters(self, equations, state, row)
     }
 }
 

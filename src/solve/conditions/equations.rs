@@ -221,7 +221,8 @@ impl ScalarEquations for Conditioned {
         row: &mut [f64],
     ) -> Result<()> {
         let condition = &self.conditions[index];
-        condition.gradient(equations, state, row)?;
+        let found = condition.gradient(equations, state, row);
+        found.map_err(|e| e.within(condition.name()))?;
         let scale = condition.scale(equations);
         let scaled = row.iter_mut().zip(equations.column_scale());
         scaled.for_each(|(x, unit)| *x *= unit / scale);

@@ -33,6 +33,9 @@ use crate::error::Result;
 use std::fmt::Debug;
 use std::sync::Arc;
 
+/// Step of differences by a free parameter, relative to its scale.
+const STEP: f64 = 1e-5;
+
 /// A scalar equation that takes the place of what a free parameter leaves open.
 ///
 /// It looks at the motions, multipliers and internal states of `state` at all grid points, at the
@@ -72,4 +75,26 @@ pub trait Condition: Debug + Send + Sync {
         let _ = (equations, state);
         Ok(None)
     }
+}
+
+/// Adds the derivatives of a condition's value by the free parameters to `row`, by differences, where
+/// motions alone do not tell it: velocities follow a frequency, internal forces a stiffness.
+fn add_by_parameters(
+    condition: &dyn Condition,
+    equations: &Collocation,
+    state: &GridState,
+    row: &mut [f64],
+) -> Result<()> {
+    let (mut equations, mut beside) = (equations.clone(), state.clone());
+    for (index, place) in equations.layout().scalars().enumerate() {
+        let step = STEP * equations.column_scale()[place];
+        for sign in [1.0, -1.0] {
+            beside.scalars[index] = state.scalars[index] + sign * step;
+            equations.apply_scalars(&beside)?;
+            equations.update_kinematics(&beside);
+            row[place] += sign * condition.value(&equations, &beside)? / (2.0 * step);
+        }
+        beside.scalars[index] = state.scalars[index];
+    }
+    Ok(())
 }

@@ -1,6 +1,6 @@
 //! The momentum of a motion.
 
-use super::{Condition, RigidMotion};
+use super::{Condition, RigidMotion, add_by_parameters};
 use crate::collocation::{Collocation, GridState};
 use crate::error::Result;
 
@@ -36,9 +36,9 @@ impl Condition for Momentum {
         Ok(equations.mean_momentum(&self.motion.twist) - self.value)
     }
 
-    fn gradient(&self, equations: &Collocation, _: &GridState, row: &mut [f64]) -> Result<()> {
+    fn gradient(&self, equations: &Collocation, state: &GridState, row: &mut [f64]) -> Result<()> {
         equations.add_momentum_gradient(&self.motion.twist, row);
-        Ok(())
+        add_by_parameters(self, equations, state, row)
     }
 }
 

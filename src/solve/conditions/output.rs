@@ -1,12 +1,9 @@
 //! What comes out: the mean, a harmonic, or the value at a time, of any output.
 
-use super::Condition;
+use super::{Condition, add_by_parameters};
 use crate::collocation::{Collocation, GridState};
 use crate::error::{Error, Result};
 use crate::quantity::{Dependence, Feature, History, Measurement, Selection};
-
-/// Step of differences by a free parameter, relative to its scale.
-const STEP: f64 = 1e-5;
 
 /// A feature of an output has this value: trim.
 #[derive(Debug, Clone, Copy)]
@@ -64,19 +61,6 @@ impl Condition for OutputIs {
         if measurement.dependence() == Dependence::Nothing {
             return Ok(());
         }
-        // Velocities follow a frequency, internal forces a stiffness.
-        let (mut equations, mut beside) = (equations.clone(), state.clone());
-        let (places, points) = (equations.layout().scalars(), state.scalars.clone());
-        for (index, place) in places.enumerate() {
-            let step = STEP * equations.column_scale()[place];
-            for sign in [1.0, -1.0] {
-                beside.scalars[index] = points[index] + sign * step;
-                equations.apply_scalars(&beside)?;
-                equations.update_kinematics(&beside);
-                row[place] += sign * self.value(&equations, &beside)? / (2.0 * step);
-            }
-            beside.scalars[index] = points[index];
-        }
-        Ok(())
+        add_by_parameters(self, equations, state, row)
     }
 }

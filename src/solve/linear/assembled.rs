@@ -102,15 +102,12 @@ impl Assembled {
     pub(crate) fn factor_all(&mut self, equations: &Collocation) -> Result<bool> {
         self.by_freedoms = false;
         let (pattern, workers) = (pattern_of(&self.pattern, equations), &self.workers);
-        let holds = self.holds;
         let solver = self.solver.get_or_insert_with(|| {
             let mut solver = DirectSolver::new(pattern);
             solver.set_workers(workers.clone());
-            if holds {
-                solver.hold();
-            }
             solver
         });
+        solver.set_holds(self.holds);
         solver.factor(&self.values)
     }
 
@@ -248,8 +245,8 @@ impl LinearSolver for Assembled {
         !self.by_freedoms
     }
 
-    fn hold(&mut self) {
-        self.holds = true;
+    fn set_holds(&mut self, holds: bool) {
+        self.holds = holds;
     }
 
     fn held(&self) -> Vec<Held> {

@@ -46,6 +46,8 @@ const CANCELS: f64 = 10.0;
 /// Solves bordered equations; those of the grid as `inner` does.
 pub(crate) struct Bordered<L> {
     inner: L,
+    /// Whether factors are those of what is held, instead of the ground.
+    holds: bool,
     /// Where the equations were linearised last.
     at: Option<GridState>,
     /// The equations there, where `inner` does not keep them.
@@ -66,10 +68,9 @@ impl<L: LinearSolver> Bordered<L> {
     /// For `equations` with scalars.
     pub fn new(equations: &Collocation, inner: L) -> Self {
         let (system, points) = (equations.system(), equations.grid().points());
-        let mut inner = inner;
-        inner.hold();
         Bordered {
             inner,
+            holds: false,
             at: None,
             tangent: Tangent::with_resultants_apart(system, points),
             is_evaluated: false,
@@ -135,7 +136,7 @@ impl<L: LinearSolver> Bordered<L> {
             };
             // Written so that NaN is singular.
             let certain = regular && inner.growth(equations) <= SUSPECT;
-            if equations.grounding() == 0.0 && !certain {
+            if !self.holds && equations.grounding() == 0.0 && !certain {
                 equations.ground(GROUNDING);
                 near = false;
                 continue;
@@ -155,6 +156,34 @@ impl<L: LinearSolver> Bordered<L> {
             }
             return Ok(regular && self.determined);
         }
+    }
+
+    fn hold(&mut self, holds: bool) {
+        self.holds = holds;
+        self.inner.set_holds(holds);
+    }
+
+    /// Factors again, with what has no pivots held in place of the ground. `false`, with the ground
+    /// as it was, if that does not serve either, or has been tried.
+    fn factor_held(
+        &mut self,
+        equations: &mut Collocation,
+        state: &GridState,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        let grounding = equations.grounding();
+        if grounding == 0.0 || self.inner.tangent().is_some() {
+            return Ok(false);
+        }
+        equations.ground(0.0);
+        self.hold(true);
+        if self.factor(equations, state, timings, false)? {
+            return Ok(true);
+        }
+        equations.ground(grounding);
+        self.hold(false);
+        self.factor(equations, state, timings, false)?;
+        Ok(false)
     }
 
     /// Makes what elimination needs, to this accuracy. `false` if there is no solution.
@@ -288,7 +317,8 @@ impl<L: LinearSolver> LinearSolver for Bordered<L> {
         timings: &mut Timings,
     ) -> Result<bool> {
         self.borders = timed(&mut timings.assembly, || Borders::at(equations, state))?;
-        self.factor(equations, state, timings, false)
+        Ok(self.factor(equations, state, timings, false)?
+            || self.factor_held(equations, state, timings)?)
     }
 
     fn solve(
@@ -313,18 +343,24 @@ impl<L: LinearSolver> LinearSolver for Bordered<L> {
             if self.solve_by_elimination(equations, rhs, accuracy, timings)? {
                 return Ok(true);
             }
-            // Growth does not tell of each singular matrix.
-            let firmer = match equations.grounding() {
-                0.0 => GROUNDING,
-                GROUNDING => FIRMER,
-                _ => return Ok(false),
-            };
-            let (None, Some(state)) = (at_once, self.at.clone()) else {
+            let (None, false, Some(state)) = (at_once, self.holds, self.at.clone()) else {
                 return Ok(false);
             };
             rhs.copy_from_slice(&self.kept);
-            equations.ground(firmer);
-            if !self.factor(equations, &state, timings, false)? {
+            // Growth does not tell of each singular matrix.
+            let firmer = match equations.grounding() {
+                0.0 => Some(GROUNDING),
+                GROUNDING => Some(FIRMER),
+                _ => None,
+            };
+            let factored = match firmer {
+                Some(firmer) => {
+                    equations.ground(firmer);
+                    self.factor(equations, &state, timings, false)?
+                }
+                None => self.factor_held(equations, &state, timings)?,
+            };
+            if !factored {
                 return Ok(false);
             }
         }

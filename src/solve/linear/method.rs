@@ -361,9 +361,7 @@ impl Linear {
             ..iterative.record.clone()
         });
         let mut direct = timed(&mut timings.analysis, || Assembled::new(equations));
-        if self.holds {
-            direct.hold();
-        }
+        direct.set_holds(self.holds);
         let regular = direct.linearise(equations, state, timings);
         if matches!(&regular, Err(e) if e.kind() == ErrorKind::OutOfMemory) {
             return Ok(false);
@@ -478,9 +476,9 @@ impl LinearSolver for Linear {
         self.active.solver().has_compliance()
     }
 
-    fn hold(&mut self) {
-        self.holds = true;
-        self.active.solver_mut().hold();
+    fn set_holds(&mut self, holds: bool) {
+        self.holds = holds;
+        self.active.solver_mut().set_holds(holds);
     }
 
     fn held(&self) -> Vec<Held> {

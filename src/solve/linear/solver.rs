@@ -100,9 +100,9 @@ pub(crate) trait LinearSolver {
         true
     }
 
-    /// From now on factors may be those of equations to which something is added, which
+    /// Whether factors may from now on be those of equations to which something is added, which
     /// [`LinearSolver::held`] tells, where the equations themselves are singular.
-    fn hold(&mut self) {}
+    fn set_holds(&mut self, _: bool) {}
 
     /// What was added to the equations that are solved, by factors of the last linearisation.
     fn held(&self) -> Vec<Held> {

@@ -29,7 +29,7 @@ const SMALLEST_PIVOT: f64 = 1e-9;
 const SMALLEST_SAFE_PIVOT: f64 = 1e-5;
 /// A last pivot smaller than this, relative to its column, is held where that is wanted: more cost
 /// little, and fewer leave solutions large.
-const SMALLEST_LAST_PIVOT: f64 = 1e-5;
+const SMALLEST_LAST_PIVOT: f64 = 1e-10;
 /// Residual of a solve, relative to its right-hand side, that needs no refinement.
 const ACCURATE: f64 = 1e-10;
 /// Residual of a refined solve that calls for safer pivots, relative to the right-hand side or, if
@@ -95,10 +95,10 @@ impl DirectSolver {
         self.workers = workers;
     }
 
-    /// From now on, factors exist of matrices that are singular, too: with what [`Self::held`] tells
-    /// added to them.
-    pub(crate) fn hold(&mut self) {
-        self.holds = true;
+    /// Whether from now on factors exist of matrices that are singular, too: with what
+    /// [`Self::held`] tells added to them.
+    pub(crate) fn set_holds(&mut self, holds: bool) {
+        self.holds = holds;
     }
 
     /// What was added to the matrix that was factored.
