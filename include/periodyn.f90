@@ -2947,6 +2947,27 @@ module periodyn_c
             integer(c_int32_t) :: pdn_conditions_add_energy
         end function pdn_conditions_add_energy
 
+        ! Adds the condition that the mean momentum in a direction is a value
+        function pdn_conditions_add_momentum(conditions, direction, &
+            momentum) bind(C, name="pdn_conditions_add_momentum")
+            import
+            type(c_ptr), value :: conditions
+            real(c_double), intent(in) :: direction(*)
+            real(c_double), value :: momentum
+            integer(c_int32_t) :: pdn_conditions_add_momentum
+        end function pdn_conditions_add_momentum
+
+        ! Adds the condition that the mean angular momentum about an axis is a value
+        function pdn_conditions_add_angular_momentum(conditions, axis, point, &
+            momentum) bind(C, name="pdn_conditions_add_angular_momentum")
+            import
+            type(c_ptr), value :: conditions
+            real(c_double), intent(in) :: axis(*)
+            real(c_double), intent(in), optional :: point(*)
+            real(c_double), value :: momentum
+            integer(c_int32_t) :: pdn_conditions_add_angular_momentum
+        end function pdn_conditions_add_angular_momentum
+
         ! Finds a periodic response that meets conditions, and the values of as many free parameters
         function pdn_solve_conditioned(model, period, conditions, options, &
             out) bind(C, name="pdn_solve_conditioned")
@@ -3915,6 +3936,8 @@ module periodyn
         procedure, public :: add_translation_phase => conditions_add_translation_phase
         procedure, public :: add_joint_coordinate => conditions_add_joint_coordinate
         procedure, public :: add_energy => conditions_add_energy
+        procedure, public :: add_momentum => conditions_add_momentum
+        procedure, public :: add_angular_momentum => conditions_add_angular_momentum
         procedure, public :: add_quantity => conditions_add_quantity
     end type pdn_conditions
 
@@ -6939,6 +6962,29 @@ contains
 
         call report(pdn_conditions_add_energy(self%c, energy), stat, errmsg)
     end subroutine conditions_add_energy
+
+    ! The mean momentum in a direction is this, in the inertial frame.
+    subroutine conditions_add_momentum(self, direction, momentum, stat, errmsg)
+        class(pdn_conditions), intent(inout) :: self
+        real(c_double), intent(in) :: direction(3)
+        real(c_double), intent(in) :: momentum
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_conditions_add_momentum(self%c, direction, momentum), stat, errmsg)
+    end subroutine conditions_add_momentum
+
+    ! The mean angular momentum about an axis is this, in the inertial frame.
+    subroutine conditions_add_angular_momentum(self, axis, momentum, point, stat, errmsg)
+        class(pdn_conditions), intent(inout) :: self
+        real(c_double), intent(in) :: axis(3)
+        real(c_double), intent(in) :: momentum
+        real(c_double), intent(in), optional :: point(3)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_conditions_add_angular_momentum(self%c, axis, point, momentum), stat, errmsg)
+    end subroutine conditions_add_angular_momentum
 
     ! A feature, PDN_FEATURE_..., of one component of a quantity has this value; at is the number of a harmonic, or a
     ! time. Without scale, what counts as 1 is that of such quantities of the mechanism.

@@ -7714,6 +7714,46 @@ pdn_status pdn_conditions_add_energy(struct pdn_conditions *conditions,
                                      double energy);
 
 /**
+ * Adds the condition that the mean momentum in a direction is a value.
+ *
+ * The momentum in the inertial frame is meant, also where the model is described in a frame that
+ * turns.
+ *
+ * @param conditions  the list; not NULL
+ * @param direction  array of length 3: the direction, not zero
+ * @param momentum  the value \[mass * length / time\]
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE (no direction)
+ *
+ * Threads: exclusive use of `conditions`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_conditions_add_momentum(struct pdn_conditions *conditions,
+                                       const double *direction,
+                                       double momentum);
+
+/**
+ * Adds the condition that the mean angular momentum about an axis is a value.
+ *
+ * With ::pdn_model_set_turning_frame, of a free body that tumbles. The angular momentum in the
+ * inertial frame is meant, also where the model is described in a frame that turns.
+ *
+ * @param conditions  the list; not NULL
+ * @param axis  array of length 3: direction of the axis, not zero
+ * @param point  array of length 3: a point of the axis \[length\]; NULL for the origin
+ * @param momentum  the value \[mass * length^2 / time\]
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE (no direction)
+ *
+ * Threads: exclusive use of `conditions`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_conditions_add_angular_momentum(struct pdn_conditions *conditions,
+                                               const double *axis,
+                                               const double *point,
+                                               double momentum);
+
+/**
  * Finds a periodic response that meets conditions, and the values of as many free parameters.
  *
  * Newton's method for motions and parameters together starts at a given solution or motion

@@ -2611,7 +2611,6 @@ class Conditions
     {
         detail::check(pdn_conditions_add_phase(get()));
     }
-    /** A joint coordinate at the start of the period. */
     /** That it is not turned about an axis through `point` from what the solve starts from. */
     void add_rotation_phase(const Vector3 &axis, const Vector3 &point = {0, 0, 0})
     {
@@ -2622,6 +2621,7 @@ class Conditions
     {
         detail::check(pdn_conditions_add_translation_phase(get(), direction.data()));
     }
+    /** A joint coordinate at the start of the period. */
     void add_joint_coordinate(std::int32_t joint, Coordinate coordinate, double value)
     {
         detail::check(
@@ -2637,6 +2637,18 @@ class Conditions
     void add_energy(double energy)
     {
         detail::check(pdn_conditions_add_energy(get(), energy));
+    }
+    /** The mean momentum in a direction, in the inertial frame. */
+    void add_momentum(const Vector3 &direction, double momentum)
+    {
+        detail::check(pdn_conditions_add_momentum(get(), direction.data(), momentum));
+    }
+    /** The mean angular momentum about an axis through `point`, in the inertial frame. */
+    void add_angular_momentum(const Vector3 &axis, double momentum,
+                              const Vector3 &point = {0, 0, 0})
+    {
+        detail::check(pdn_conditions_add_angular_momentum(get(), axis.data(), point.data(),
+                                                          momentum));
     }
 
   private:

@@ -2388,6 +2388,40 @@ class Conditions(Handle):
         """
         call(lib.pdn_conditions_add_energy, self._c, energy)
 
+    def add_momentum(self, direction, momentum):
+        """Adds the condition that the mean momentum in a direction is a value.
+
+        The momentum in the inertial frame is meant, also where the model is described in a
+        frame that turns.
+
+        Args:
+            direction: array of shape (3): the direction, not zero
+            momentum: the value [mass * length / time]
+        """
+        direction = reals("direction", direction, (3,))
+        call(lib.pdn_conditions_add_momentum, self._c, pointer(direction), momentum)
+
+    def add_angular_momentum(self, axis, momentum, point=None):
+        """Adds the condition that the mean angular momentum about an axis is a value.
+
+        With Model.set_turning_frame, of a free body that tumbles. The angular momentum in the
+        inertial frame is meant, also where the model is described in a frame that turns.
+
+        Args:
+            axis: array of shape (3): direction of the axis, not zero
+            point: array of shape (3): a point of the axis [length]; None for the origin
+            momentum: the value [mass * length^2 / time]
+        """
+        axis = reals("axis", axis, (3,))
+        point = reals("point", point, (3,))
+        call(
+            lib.pdn_conditions_add_angular_momentum,
+            self._c,
+            pointer(axis),
+            pointer(point),
+            momentum,
+        )
+
 
 class Model(ModelExtras):
     """A mechanism. Made by Model.new, freed by Model.free.

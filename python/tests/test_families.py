@@ -121,11 +121,17 @@ def test_a_frame_that_turns_softens_a_radial_spring():
     assert abs(solution.parameter(found)) == pytest.approx(1.0, abs=1e-9)
 
 
-def test_a_phase_of_a_motion_needs_a_direction():
+def test_a_phase_and_a_momentum_need_a_direction():
     conditions = pdn.Conditions()
     conditions.add_rotation_phase([0, 0, 1])
     conditions.add_translation_phase([1, 0, 0])
+    conditions.add_momentum([1, 0, 0], 2.0)
+    conditions.add_angular_momentum([0, 0, 1], None, 2.0)
     with pytest.raises(pdn.Error, match="^axis: "):
         conditions.add_rotation_phase([0, 0, 0])
     with pytest.raises(pdn.Error, match="^direction: "):
         conditions.add_translation_phase([0, 0, 0])
+    with pytest.raises(pdn.Error, match="^direction: "):
+        conditions.add_momentum([0, 0, 0], 1.0)
+    with pytest.raises(pdn.Error, match="^axis: "):
+        conditions.add_angular_momentum([0, 0, 0], None, 1.0)

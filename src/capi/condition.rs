@@ -15,7 +15,7 @@ use crate::model::{JointCoordinate, Model};
 use crate::output::Solution;
 use crate::quantity::Feature;
 use crate::solve::{
-    Condition, Energy, Free, JointCoordinateIs, OutputIs, Phase, RigidMotion, RigidPhase,
+    Condition, Energy, Free, JointCoordinateIs, Momentum, OutputIs, Phase, RigidMotion, RigidPhase,
 };
 use nalgebra::Vector3;
 use std::sync::Arc;
@@ -312,6 +312,68 @@ pub unsafe extern "C" fn pdn_conditions_add_energy(
         let mut conditions = call.exclusive(conditions, "conditions")?;
         let value = call.number(energy, "energy")?;
         conditions.conditions.push(Arc::new(Energy { value }));
+        Ok(())
+    })
+}
+
+/// Adds the condition that the mean momentum in a direction is a value.
+///
+/// The momentum in the inertial frame is meant, also where the model is described in a frame that
+/// turns.
+///
+/// @param conditions  the list; not NULL
+/// @param direction  array of length 3: the direction, not zero
+/// @param momentum  the value \[mass * length / time\]
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE (no direction)
+///
+/// Threads: exclusive use of `conditions`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_conditions_add_momentum(
+    conditions: *mut pdn_conditions,
+    direction: *const f64,
+    momentum: f64,
+) -> pdn_status {
+    guard(|call| {
+        let mut conditions = call.exclusive(conditions, "conditions")?;
+        let direction = Vector3::from(call.array::<3>(direction, "direction")?);
+        let value = call.number(momentum, "momentum")?;
+        let motion = RigidMotion::translation(&direction)?;
+        let condition = Momentum { motion, value };
+        conditions.conditions.push(Arc::new(condition));
+        Ok(())
+    })
+}
+
+/// Adds the condition that the mean angular momentum about an axis is a value.
+///
+/// With ::pdn_model_set_turning_frame, of a free body that tumbles. The angular momentum in the
+/// inertial frame is meant, also where the model is described in a frame that turns.
+///
+/// @param conditions  the list; not NULL
+/// @param axis  array of length 3: direction of the axis, not zero
+/// @param point  array of length 3: a point of the axis \[length\]; NULL for the origin
+/// @param momentum  the value \[mass * length^2 / time\]
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE (no direction)
+///
+/// Threads: exclusive use of `conditions`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_conditions_add_angular_momentum(
+    conditions: *mut pdn_conditions,
+    axis: *const f64,
+    point: *const f64,
+    momentum: f64,
+) -> pdn_status {
+    guard(|call| {
+        let mut conditions = call.exclusive(conditions, "conditions")?;
+        let axis = Vector3::from(call.array::<3>(axis, "axis")?);
+        let point = call.array_optional::<3>(point, "point")?;
+        let point = point.map_or(Vector3::zeros(), Vector3::from);
+        let value = call.number(momentum, "momentum")?;
+        let motion = RigidMotion::rotation(&axis, &point)?;
+        let condition = Momentum { motion, value };
+        conditions.conditions.push(Arc::new(condition));
         Ok(())
     })
 }

@@ -54,8 +54,8 @@ static pdn_model *pendulum(int32_t *bob, int32_t *level, int32_t parameters[3])
     return model;
 }
 
-/* Released at 45 degrees with a horizontal speed of 1.5. */
-static void a_pendulum_finds_its_net_rotation(void)
+/* Released at 45 degrees with a horizontal speed of 1.5, which is given, or the angular momentum. */
+static void a_pendulum_finds_its_net_rotation(int by_momentum)
 {
     static double positions[2 * POINTS][3], rotations[2 * POINTS][9];
     const double up[3] = {0, 0, 1}, angle = PI / 4;
@@ -77,8 +77,13 @@ static void a_pendulum_finds_its_net_rotation(void)
     CHECK_STATUS(pdn_conditions_add_rotation_phase(conditions, up, NULL), PDN_OK);
     CHECK_STATUS(pdn_conditions_add_joint_coordinate(conditions, level, PDN_ROTATION, angle),
                  PDN_OK);
-    CHECK_STATUS(pdn_conditions_add_quantity(conditions, &speed, PDN_FEATURE_VALUE, 0, -1.5, 0),
-                 PDN_OK);
+    if (by_momentum)
+        CHECK_STATUS(pdn_conditions_add_angular_momentum(conditions, up, NULL, 1.5 * sin(angle)),
+                     PDN_OK);
+    else
+        CHECK_STATUS(
+            pdn_conditions_add_quantity(conditions, &speed, PDN_FEATURE_VALUE, 0, -1.5, 0),
+            PDN_OK);
     for (int k = 0; k < POINTS; ++k) {
         const double phase = 2 * PI * k / POINTS, p = -0.28 * sin(phase);
         const double q = 0.61 + 0.17 * cos(phase);
@@ -162,12 +167,34 @@ static void bad_phases_are_refused(void)
 #undef CALL
 }
 
+static void bad_momenta_are_refused(void)
+{
+    const double zero[3] = {0};
+#define CALL pdn_conditions_add_momentum
+    REFUSED(CALL(NULL, in.axis, 1), PDN_ERR_NULL, "conditions: ");
+    REFUSED(CALL(in.conditions, NULL, 1), PDN_ERR_NULL, "direction: ");
+    REFUSED(CALL(in.conditions, zero, 1), PDN_ERR_VALUE, "direction: ");
+    REFUSES_NOT_FINITE_ENTRIES(in.axis, 3, CALL(in.conditions, in.axis, 1), "direction");
+    REFUSES_NOT_FINITE(in.rate, CALL(in.conditions, in.axis, in.rate), "momentum");
+#undef CALL
+#define CALL pdn_conditions_add_angular_momentum
+    REFUSED(CALL(NULL, in.axis, NULL, 1), PDN_ERR_NULL, "conditions: ");
+    REFUSED(CALL(in.conditions, NULL, NULL, 1), PDN_ERR_NULL, "axis: ");
+    REFUSED(CALL(in.conditions, zero, NULL, 1), PDN_ERR_VALUE, "axis: ");
+    REFUSES_NOT_FINITE_ENTRIES(in.axis, 3, CALL(in.conditions, in.axis, in.point, 1), "axis");
+    REFUSES_NOT_FINITE_ENTRIES(in.point, 3, CALL(in.conditions, in.axis, in.point, 1), "point");
+    REFUSES_NOT_FINITE(in.rate, CALL(in.conditions, in.axis, in.point, in.rate), "momentum");
+#undef CALL
+}
+
 int main(void)
 {
-    a_pendulum_finds_its_net_rotation();
+    a_pendulum_finds_its_net_rotation(0);
+    a_pendulum_finds_its_net_rotation(1);
     begin();
     bad_frames_are_refused();
     bad_phases_are_refused();
+    bad_momenta_are_refused();
     pdn_conditions_free(in.conditions);
     pdn_model_free(in.model);
     printf("%d calls refused\n", refusals);

@@ -264,6 +264,8 @@ static void everything()
     pdn::Conditions phases;
     phases.add_rotation_phase(frame.axis);
     phases.add_translation_phase({1, 0, 0});
+    phases.add_momentum({1, 0, 0}, 2);
+    phases.add_angular_momentum(frame.axis, 2, {1, 0, 0});
     std::int32_t forces = 0;
     for (const auto force : {
              m.add_spring_damper(6, Coordinate::displacement_2, 1),

@@ -306,6 +306,8 @@ contains
         call phases%new()
         call phases%add_rotation_phase(axis)
         call phases%add_translation_phase(axis)
+        call phases%add_momentum(axis, 2.0_dp)
+        call phases%add_angular_momentum(axis, 2.0_dp)
         call m%add_spring_damper(6, PDN_DISPLACEMENT_2, 1.0_dp, 0.0_dp, 0.0_dp)
         call m%add_nonlinear_spring_damper(6, PDN_DISPLACEMENT_3, [1.0_dp, 0.0_dp, 2.0_dp], &
             [0.1_dp], 0.0_dp)

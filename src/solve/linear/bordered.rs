@@ -9,8 +9,8 @@
 //! equation takes the place of what the grid's own leave open, `J` is singular and the whole is
 //! not. Then the nodes get a small stiffness against the ground, which makes factors exist, and
 //! elimination with them is the preconditioner of an iteration with the exact products: but for few
-//! directions, those that are soft beside the ground, the two are alike. See docs/theory.md,
-//! section 8.8.
+//! directions, those that are soft beside the ground, the two are alike. Where they are not, what
+//! has no pivots is held by scalars of the elimination. See docs/theory.md, section 8.8.
 
 mod refined;
 

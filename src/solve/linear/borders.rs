@@ -17,7 +17,7 @@ pub(crate) struct Borders {
     pub rows: Vec<Vec<f64>>,
     /// What is added to `J` where it is eliminated: `J + E H Fᵀ`, with unit vectors `E` and `F`. So
     /// `q = H Fᵀ x` are scalars beside `p`, with columns `−E`.
-    held: Vec<Held>,
+    pub held: Vec<Held>,
     /// `J⁻¹ [B −E]`.
     pub eliminated: Vec<Vec<f64>>,
     /// `(D − C J⁻¹ B)⁻¹`, of all scalars.

@@ -27,8 +27,8 @@ use std::sync::Arc;
 const SMALLEST_PIVOT: f64 = 1e-9;
 /// The same, once a solve was not accurate enough: more waits, and larger fronts are factored.
 const SMALLEST_SAFE_PIVOT: f64 = 1e-5;
-/// A last pivot smaller than this, relative to its column, is held where that is wanted: more cost
-/// little, and fewer leave solutions large.
+/// A last pivot smaller than this, relative to its column, is held where that is wanted. Pivots of
+/// slow motions of stiff bodies are often 1e-6, and each that is held takes a solve.
 const SMALLEST_LAST_PIVOT: f64 = 1e-10;
 /// Residual of a solve, relative to its right-hand side, that needs no refinement.
 const ACCURATE: f64 = 1e-10;
