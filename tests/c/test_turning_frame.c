@@ -54,7 +54,7 @@ static pdn_model *pendulum(int32_t *bob, int32_t *level, int32_t parameters[3])
     return model;
 }
 
-/* Released at 45 degrees with a horizontal speed of 1.5, which is given, or the angular momentum. */
+/* Released at 45 degrees with a horizontal speed of 1.5: that is given, or the angular momentum. */
 static void a_pendulum_finds_its_net_rotation(int by_momentum)
 {
     static double positions[2 * POINTS][3], rotations[2 * POINTS][9];

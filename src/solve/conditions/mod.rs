@@ -77,8 +77,8 @@ pub trait Condition: Debug + Send + Sync {
     }
 }
 
-/// Adds the derivatives of a condition's value by the free parameters to `row`, by differences, where
-/// motions alone do not tell it: velocities follow a frequency, internal forces a stiffness.
+/// Adds the derivatives of a condition's value by the free parameters to `row`, by differences,
+/// where motions alone do not tell it: velocities follow a frequency, internal forces a stiffness.
 fn add_by_parameters(
     condition: &dyn Condition,
     equations: &Collocation,

@@ -85,8 +85,8 @@ impl Borders {
         Ok(found.map(|inverse| self.inverse = inverse).is_some())
     }
 
-    /// `D − C X`, where the first entries of `eliminated` are the columns of `X`; of as many scalars
-    /// as it has columns.
+    /// `D − C X`, with the columns `X` first in `eliminated`: of as many scalars as there are
+    /// columns.
     pub fn complement(&self, eliminated: &[Vec<f64>]) -> DMatrix<f64> {
         let count = self.count();
         DMatrix::from_fn(eliminated.len(), eliminated.len(), |i, j| match i < count {

@@ -148,8 +148,8 @@ impl Front {
         }
     }
 
-    /// Eliminates the unknowns of the front, which `assemble` sums up, but for those without pivots.
-    /// `workspace` tells the sizes that columns have had before.
+    /// Eliminates the unknowns of the front, which `assemble` sums up, but for those without
+    /// pivots. `workspace` tells the sizes that columns have had before.
     ///
     /// `false` if something is left that may not be.
     ///
