@@ -128,6 +128,18 @@ pub unsafe extern "C" fn pdn_conditions_add_phase(conditions: *mut pdn_condition
     })
 }
 
+/// The turn of everything about the axis through `point`, or the origin.
+fn rotation(call: &Call, axis: *const f64, point: *const f64) -> Result<RigidMotion> {
+    let axis = Vector3::from(call.array::<3>(axis, "axis")?);
+    let point = call.array_optional::<3>(point, "point")?;
+    RigidMotion::rotation(&axis, &point.map_or(Vector3::zeros(), Vector3::from))
+}
+
+/// The translation of everything in this direction.
+fn translation(call: &Call, direction: *const f64) -> Result<RigidMotion> {
+    RigidMotion::translation(&Vector3::from(call.array::<3>(direction, "direction")?))
+}
+
 /// Adds the condition on the phase of a rotation: in the mean over the period and all nodes, the
 /// motion is not turned about an axis from that which the solve starts from.
 ///
@@ -149,10 +161,7 @@ pub unsafe extern "C" fn pdn_conditions_add_rotation_phase(
 ) -> pdn_status {
     guard(|call| {
         let mut conditions = call.exclusive(conditions, "conditions")?;
-        let axis = Vector3::from(call.array::<3>(axis, "axis")?);
-        let point = call.array_optional::<3>(point, "point")?;
-        let point = point.map_or(Vector3::zeros(), Vector3::from);
-        let condition = RigidPhase(RigidMotion::rotation(&axis, &point)?);
+        let condition = RigidPhase(rotation(call, axis, point)?);
         conditions.conditions.push(Arc::new(condition));
         Ok(())
     })
@@ -176,8 +185,7 @@ pub unsafe extern "C" fn pdn_conditions_add_translation_phase(
 ) -> pdn_status {
     guard(|call| {
         let mut conditions = call.exclusive(conditions, "conditions")?;
-        let direction = Vector3::from(call.array::<3>(direction, "direction")?);
-        let condition = RigidPhase(RigidMotion::translation(&direction)?);
+        let condition = RigidPhase(translation(call, direction)?);
         conditions.conditions.push(Arc::new(condition));
         Ok(())
     })
@@ -336,9 +344,8 @@ pub unsafe extern "C" fn pdn_conditions_add_momentum(
 ) -> pdn_status {
     guard(|call| {
         let mut conditions = call.exclusive(conditions, "conditions")?;
-        let direction = Vector3::from(call.array::<3>(direction, "direction")?);
+        let motion = translation(call, direction)?;
         let value = call.number(momentum, "momentum")?;
-        let motion = RigidMotion::translation(&direction)?;
         let condition = Momentum { motion, value };
         conditions.conditions.push(Arc::new(condition));
         Ok(())
@@ -367,11 +374,8 @@ pub unsafe extern "C" fn pdn_conditions_add_angular_momentum(
 ) -> pdn_status {
     guard(|call| {
         let mut conditions = call.exclusive(conditions, "conditions")?;
-        let axis = Vector3::from(call.array::<3>(axis, "axis")?);
-        let point = call.array_optional::<3>(point, "point")?;
-        let point = point.map_or(Vector3::zeros(), Vector3::from);
+        let motion = rotation(call, axis, point)?;
         let value = call.number(momentum, "momentum")?;
-        let motion = RigidMotion::rotation(&axis, &point)?;
         let condition = Momentum { motion, value };
         conditions.conditions.push(Arc::new(condition));
         Ok(())
