@@ -2,7 +2,6 @@
 //! See docs/theory.md, section 8.7.
 
 use crate::collocation::{Collocation, GridState, Tangent};
-use crate::elements::StrainTangent;
 use crate::error::{Error, ErrorKind, Result};
 use crate::solve::linear::assembled::Assembled;
 use crate::solve::linear::borders::Borders;
@@ -222,22 +221,14 @@ impl Plan {
     }
 }
 
-/// Bytes of the tangents of all elements, about: of pairs of nodes, of own unknowns, and of the
-/// strains of stations.
+/// Bytes of the tangents of all elements, about.
 pub(crate) fn tangent_bytes(system: &System, points: usize) -> f64 {
-    let number = size_of::<f64>() as f64;
-    let mut coupled = vec![BTreeSet::<usize>::new(); system.nodes()];
-    let mut others = 0.0;
-    for placed in system.elements() {
-        let nodes = placed.element.nodes();
-        nodes.iter().for_each(|&a| coupled[a].extend(nodes));
-        let own = 18.0 * number * placed.element.own_unknowns() as f64;
-        let strains = (placed.element.stress_laws().len() * size_of::<StrainTangent>()) as f64;
-        others += nodes.len() as f64 * (own + strains);
-    }
-    let pairs: usize = coupled.iter().map(BTreeSet::len).sum();
-    let matrices = 3 * size_of::<Matrix6<f64>>();
-    ((pairs * matrices) as f64 + others) * points as f64
+    let pairs = system.elements().iter().map(|placed| {
+        let nodes = placed.element.nodes().len() as f64;
+        nodes * (nodes + placed.element.own_unknowns() as f64 / 6.0)
+    });
+    let matrices = 3.0 * size_of::<Matrix6<f64>>() as f64;
+    pairs.sum::<f64>() * matrices * points as f64
 }
 
 impl Linear {
