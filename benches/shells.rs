@@ -6,18 +6,14 @@
 //!
 //!     cargo bench --bench shells [-- --case METHOD ELEMENTS NODES]
 //!
-//! A flap, eight times as long as wide, has a hundred thousand unknowns a grid point, which takes
-//! several minutes and gigabytes: `cargo bench --bench shells -- --flap`.
-//!
 //! And modes of thin square plates on fine meshes of few nodes a side, beside the figures of an
 //! independent program for the same meshes: `cargo bench --bench shells -- --modes`.
 
 mod common;
 
 use common::fits::{exponent, largest_memory};
-use common::models::shells::{flapping_plate, mesh, rubber_plate, square_plate, swung};
+use common::models::shells::{flapping_plate, square_plate};
 use common::table::Table;
-use periodyn::model::{Model, PatchEdge};
 use periodyn::output::{Modes, Solution};
 use periodyn::solve::{LinearMethod, ModesOptions, Outcome, PeriodicOptions};
 use std::process::Command;
@@ -47,18 +43,9 @@ const TITLES: [&str; 11] = [
     "s a factorisation",
 ];
 
-/// Elements across the flap, and nodes a side of each.
-const FLAP: Size = (23, 3);
-
-/// A flap that is hinged along its long edge, with so many elements across it.
-fn flap((across, nodes): Size) -> (Model, f64) {
-    let mesh = mesh([across, 8 * across], [nodes, nodes]);
-    let (model, patch) = rubber_plate([0.5, 4.0], 0.3, &mesh);
-    swung(model, &patch.edge(PatchEdge::StartU), SWING)
-}
-
 /// Solves one case and prints its record.
-fn run(method: &str, (model, period): (Model, f64)) {
+fn run(method: &str, elements: usize, nodes: usize) {
+    let (model, period) = flapping_plate(SWING, [elements, elements.div_ceil(2)], nodes);
     let options = PeriodicOptions {
         linear: match method {
             "direct" => LinearMethod::Direct,
@@ -168,13 +155,8 @@ fn main() {
     }
     if let Some(at) = arguments.iter().position(|a| a == "--case") {
         let count = |i: usize| arguments[at + i].parse().unwrap();
-        let (elements, nodes): Size = (count(2), count(3));
-        let plate = flapping_plate(SWING, [elements, elements.div_ceil(2)], nodes);
-        return run(&arguments[at + 1], plate);
-    }
-    if arguments.iter().any(|a| a == "--flap") {
-        println!("{}", TITLES.join(","));
-        return run("iterative", flap(FLAP));
+        run(&arguments[at + 1], count(2), count(3));
+        return;
     }
     let titles: Vec<&str> = ["method", "elements", "nodes a side"]
         .into_iter()

@@ -1,6 +1,6 @@
 //! A joint coordinate at the start of the period.
 
-use super::{Condition, add_by_parameters};
+use super::Condition;
 use crate::collocation::{Collocation, GridState};
 use crate::elements::{Contribution, Element, InertialForces, Instant, Measure, Prescribed};
 use crate::error::{Error, ErrorKind, Result};
@@ -72,7 +72,7 @@ impl Condition for JointCoordinateIs {
         Ok(self.evaluate(equations)?.0)
     }
 
-    fn gradient(&self, equations: &Collocation, state: &GridState, row: &mut [f64]) -> Result<()> {
+    fn gradient(&self, equations: &Collocation, _: &GridState, row: &mut [f64]) -> Result<()> {
         let (_, nodes, out) = self.evaluate(equations)?;
         for (a, &node) in nodes.iter().enumerate() {
             let by = out.gradient.row(0);
@@ -81,7 +81,6 @@ impl Condition for JointCoordinateIs {
                 .enumerate()
                 .for_each(|(i, x)| *x += by[6 * a + i]);
         }
-        // Where parameters move the joint.
-        add_by_parameters(self, equations, state, row)
+        Ok(())
     }
 }

@@ -1,8 +1,7 @@
 //! What tells where a motion is that could as well be elsewhere: turned about an axis, or moved.
 
-use super::Condition;
-use super::RigidMotion;
 use super::phase::{PhaseAlong, unknown_start};
+use super::{Condition, RigidMotion};
 use crate::collocation::{Collocation, GridState};
 use crate::error::{Error, ErrorKind, Result};
 use std::sync::Arc;

@@ -164,7 +164,7 @@ impl<L: LinearSolver> Bordered<L> {
     }
 
     /// Factors again, with what has no pivots held in place of the ground. `false`, with the ground
-    /// as it was, if that does not serve either, or has been tried.
+    /// as it was, if that does not serve either, if it has been tried, or there are no factors.
     fn factor_held(
         &mut self,
         equations: &mut Collocation,
@@ -348,17 +348,12 @@ impl<L: LinearSolver> LinearSolver for Bordered<L> {
             };
             rhs.copy_from_slice(&self.kept);
             // Growth does not tell of each singular matrix.
-            let firmer = match equations.grounding() {
-                0.0 => Some(GROUNDING),
-                GROUNDING => Some(FIRMER),
-                _ => None,
-            };
-            let factored = match firmer {
-                Some(firmer) => {
-                    equations.ground(firmer);
-                    self.factor(equations, &state, timings, false)?
-                }
-                None => self.factor_held(equations, &state, timings)?,
+            let grounding = equations.grounding();
+            let factored = if grounding == FIRMER {
+                self.factor_held(equations, &state, timings)?
+            } else {
+                equations.ground(if grounding == 0.0 { GROUNDING } else { FIRMER });
+                self.factor(equations, &state, timings, false)?
             };
             if !factored {
                 return Ok(false);
