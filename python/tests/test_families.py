@@ -126,7 +126,7 @@ def test_a_phase_and_a_momentum_need_a_direction():
     conditions.add_rotation_phase([0, 0, 1])
     conditions.add_translation_phase([1, 0, 0])
     conditions.add_momentum([1, 0, 0], 2.0)
-    conditions.add_angular_momentum([0, 0, 1], None, 2.0)
+    conditions.add_angular_momentum([0, 0, 1], 2.0)
     with pytest.raises(pdn.Error, match="^axis: "):
         conditions.add_rotation_phase([0, 0, 0])
     with pytest.raises(pdn.Error, match="^direction: "):
@@ -134,4 +134,4 @@ def test_a_phase_and_a_momentum_need_a_direction():
     with pytest.raises(pdn.Error, match="^direction: "):
         conditions.add_momentum([0, 0, 0], 1.0)
     with pytest.raises(pdn.Error, match="^axis: "):
-        conditions.add_angular_momentum([0, 0, 0], None, 1.0)
+        conditions.add_angular_momentum([0, 0, 0], 1.0)
