@@ -1320,7 +1320,7 @@ class PeriodicOptions(Struct):
     bodies, joints, forces and prescribed coordinates, and the same beams, which may have other
     meshes. If grid_points is 0, the first grid is that of this solution. Default None.
     """
-    guess_positions = Array("guess_positions", pointed=True, turned=True)
+    guess_positions = Array("guess_positions", pointed=True)
     """Start from these positions, 3 x N x nodes: coordinates fastest, then grid points, then
     nodes; None to start otherwise. Needs guess_rotations, and grid_points or harmonics. Default
     None.
@@ -1770,7 +1770,7 @@ class MarchOptions(Struct):
     """Start from this solution of a model with the same nodes and joints, at start_time: an
     equilibrium, a periodic motion or another march; None to start otherwise. Default None.
     """
-    positions = Array("positions", pointed=True, turned=True)
+    positions = Array("positions", pointed=True)
     """Start from these positions, 3 x nodes; None for those of the reference configuration. Needs
     rotations. Default None.
     """

@@ -154,6 +154,31 @@ def test_tables(tmp_path):
     assert list(frame.columns) == ["t", "mass.x", "mass.y", "mass.z", "twice"]
 
 
+def test_a_start_that_is_the_motion_itself_is_kept():
+    model = pdn.Model()
+    arm, tip = (model.add_rigid_body(1, [x, 0, 0], np.eye(3)) for x in (1, 2))
+    model.add_rigid_joint(arm, tip, [1.5, 0, 0])
+    hinge = model.add_revolute(pdn.GROUND, arm, [0, 0, 0], [0, 0, 1])
+    model.prescribe(hinge, pdn.ROTATION, lambda time: 0.3 * np.sin(2 * time))
+    angles = 0.3 * np.sin(2 * np.pi * np.arange(11) / 11)
+    turns = np.zeros((11, 3, 3))
+    turns[:, 0, 0] = turns[:, 1, 1] = np.cos(angles)
+    turns[:, 1, 0] = np.sin(angles)
+    turns[:, 0, 1] = -np.sin(angles)
+    turns[:, 2, 2] = 1
+    increments = []
+    along = turns[:, :, 0]
+    model.solve_periodic(np.pi, grid_points=11, guess_positions=[along, 2 * along],
+                         guess_rotations=[turns, turns],
+                         progress=lambda told: increments.append(told.increment))
+    assert len(increments) == 1 and increments[0] < 1e-14
+    # Of several nodes a march begins where it is told, too.
+    march = model.march(duration=1e-3, step=1e-3, positions=[[1, 0, 0], [2, 0, 0]],
+                        rotations=[np.eye(3)] * 2, velocities=[[0, 0.6, 0, 0, 0, 0.6],
+                                                               [0, 1.2, 0, 0, 0, 0.6]])
+    np.testing.assert_allclose(march.node_position(tip, [0.0])[0], [2, 0, 0], atol=1e-14)
+
+
 def test_marches_start_where_they_are_told():
     model, body, *_ = oscillator(damping=0.0, force=0.0)
     march = model.march(duration=1.0, step=0.01, positions=[[1, 0, 0]], rotations=[np.eye(3)],
