@@ -9,6 +9,7 @@ mod coupling;
 mod decay;
 mod division;
 mod instants;
+mod like_blades;
 mod mesh;
 mod mixed;
 mod motion_tangent;
@@ -24,6 +25,7 @@ mod tangent;
 
 pub use between::{Defect, ResidualBetween};
 pub use decay::{Decay, DecayKind};
+pub use like_blades::{LikeBlades, like_blades};
 pub use mixed::ResultantPath;
 pub use motion_tangent::MotionTangent;
 pub use partition::{Halo, Item, Partition, RankPart};
@@ -38,4 +40,4 @@ pub use rule::{
 };
 pub use stages::Stages;
 pub use state::GridState;
-pub use tangent::{Coupling, Linearisation, PairTangent, Station, Tangent};
+pub use tangent::{Coupling, LikeBladesPattern, Linearisation, PairTangent, Station, Tangent};

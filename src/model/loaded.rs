@@ -31,6 +31,7 @@ impl Model {
             || !self.shells.is_empty()
             || !self.shell_loads.is_empty()
             || self.turning_frame.is_some()
+            || self.rotor_symmetry.is_some()
             || self.forces.iter().any(is_newer)
     }
 
@@ -45,6 +46,10 @@ impl Model {
         };
         if let Some(frame) = self.turning_frame {
             model.set_turning_frame(&frame.axis(), frame.rate(), &frame.point())?;
+        }
+        if let Some(rotor) = self.rotor_symmetry {
+            let (axis, point) = (rotor.axis(), rotor.point());
+            model.set_rotor_symmetry(&axis, &point, rotor.hub(), rotor.blades())?;
         }
         for (id, node) in model.nodes.iter().enumerate() {
             require_clean_motion(&format!("node {id}"), node)?;

@@ -19,6 +19,7 @@ mod parameter;
 mod raised;
 mod relation;
 mod rigid_edge;
+mod rotor_symmetry;
 mod section;
 mod shell;
 mod shell_load;
@@ -43,6 +44,7 @@ pub use line::{circular_arc, smooth_curve, straight_line};
 pub use load::{DistributedLoadDefinition, LoadDefinition, LoadPlace};
 pub use parameter::{Parameter, SignalPart, SignalPlace, Target};
 pub use relation::RelationDefinition;
+pub use rotor_symmetry::RotorSymmetry;
 pub use section::SectionInput;
 pub use shell::{ShellDefinition, ShellPlacement};
 pub use shell_load::ShellLoadDefinition;
@@ -83,6 +85,8 @@ pub struct Model {
     pub(crate) gravity: Option<[Signal; 3]>,
     #[serde(default)]
     pub(crate) turning_frame: Option<TurningFrame>,
+    #[serde(default)]
+    pub(crate) rotor_symmetry: Option<RotorSymmetry>,
     /// Force against motion for a unit of momentum.
     #[serde(default)]
     pub(crate) mass_damping: f64,

@@ -2,7 +2,7 @@
 
 use super::driven::Drive;
 use super::scales::coordinate_scales;
-use super::{ElementRole, Placed, PlacedRelation, Regime, Scales, System};
+use super::{ElementRole, Placed, PlacedRelation, Regime, Scales, Symmetry, System};
 use crate::elements::{
     ActedCoordinate, CoordinateForce, Element, JointKind, Law, MassDamping, NodalLoad, Prescribed,
     Relation, SurfaceForce, UserForce, Viscoelastic, ViscousDamper,
@@ -102,6 +102,7 @@ impl<'a> Builder<'a> {
             joints: model.joints.iter().map(JointDefinition::element).collect(),
             counted_turns: Vec::new(),
             turning: None,
+            symmetry: None,
             drives: Vec::new(),
             prescribed: model.prescribed.iter().map(|(at, _)| *at).collect(),
             relations: Vec::new(),
@@ -148,6 +149,7 @@ impl<'a> Builder<'a> {
             system.scales = like.scales;
             system.loops.clone_from(&like.loops);
             system.dependencies.clone_from(&like.dependencies);
+            system.symmetry.clone_from(&like.symmetry);
             return Ok(system);
         }
         system.scales = Scales::of(&system)?;
@@ -160,6 +162,9 @@ impl<'a> Builder<'a> {
         }
         system.find_dependencies()?;
         system.lacks_functions = lacks_functions;
+        if let (Regime::Periodic(_), Some(rotor)) = (system.regime, self.model.rotor_symmetry()) {
+            system.symmetry = Some(Arc::new(Symmetry::new(&system, rotor)?));
+        }
         Ok(system)
     }
 

@@ -12,6 +12,7 @@ mod partition;
 mod regime;
 mod relations;
 mod repetition;
+mod rotor_symmetry;
 mod scales;
 mod shell_warnings;
 mod signals;
@@ -30,6 +31,8 @@ pub use mass_properties::MassProperties;
 pub use regime::{Regime, Standstill, Transient};
 pub use relations::PlacedRelation;
 pub use repetition::{require_periodic_forces, require_reproducible_forces};
+pub use rotor_symmetry::Symmetry;
+pub(crate) use rotor_symmetry::{describe as describe_role, refused as not_alike};
 pub use scales::Scales;
 pub use summary::Summary;
 
@@ -106,6 +109,8 @@ pub struct System {
     counted_turns: Vec<usize>,
     /// The frame that motions are described in, if it turns.
     turning: Option<turning::Turning>,
+    /// Which nodes and elements follow which, of like blades, where motions are periodic.
+    symmetry: Option<Arc<Symmetry>>,
     /// Prescribed coordinates, in the order of their signals, which are the first.
     prescribed: Vec<JointCoordinate>,
     /// Relations between joint coordinates.
@@ -143,6 +148,11 @@ impl System {
     /// The period.
     pub fn period(&self) -> f64 {
         self.regime.period()
+    }
+
+    /// Which nodes and elements follow which, of like blades, where motions are periodic.
+    pub fn symmetry(&self) -> Option<&Arc<Symmetry>> {
+        self.symmetry.as_ref()
     }
 
     /// Number of stations with stress resultants.

@@ -30,6 +30,7 @@ impl System {
             joints: self.joints.clone(),
             counted_turns: self.counted_turns.clone(),
             turning: self.turning,
+            symmetry: None,
             prescribed: self.prescribed.clone(),
             relations: self.relations.clone(),
             drives: self.drives.clone(),

@@ -11,6 +11,7 @@ pub mod linkages;
 pub mod oscillators;
 pub mod parts;
 pub mod pendulums;
+pub mod rotors;
 pub mod sharp;
 pub mod shells;
 pub mod small;

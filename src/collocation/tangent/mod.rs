@@ -13,6 +13,7 @@
 
 mod assembly;
 mod layout;
+mod like_blades;
 mod product;
 #[cfg(test)]
 mod tangent_test;
@@ -21,6 +22,7 @@ mod transposed;
 pub use super::coupling::Coupling;
 pub use assembly::Linearisation;
 pub use layout::Station;
+pub use like_blades::LikeBladesPattern;
 pub use product::Increment;
 
 use super::division::Share;

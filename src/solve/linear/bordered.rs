@@ -310,6 +310,10 @@ impl<L: LinearSolver> Outer<L> for Whole<'_> {
 }
 
 impl<L: LinearSolver> LinearSolver for Bordered<L> {
+    fn prepare(&self, equations: &Collocation, state: &mut GridState) {
+        self.inner.prepare(equations, state);
+    }
+
     fn linearise(
         &mut self,
         equations: &mut Collocation,

@@ -1,7 +1,7 @@
 //! How Newton's linear equations are solved: directly or by iteration, as costs less.
 //! See docs/theory.md, section 8.7.
 
-use crate::collocation::{Collocation, GridState, Tangent};
+use crate::collocation::{Collocation, GridState, LikeBlades, Tangent};
 use crate::error::{Error, ErrorKind, Result};
 use crate::solve::linear::assembled::Assembled;
 use crate::solve::linear::borders::Borders;
@@ -9,7 +9,9 @@ use crate::solve::linear::diagnosis::Singularity;
 use crate::solve::linear::freedoms::FreedomSolver;
 use crate::solve::linear::front::{Held, elimination_work};
 use crate::solve::linear::iterative::{Iterative, IterativeRecord, Preconditioner};
+use crate::solve::linear::like_blades::OfLikeBlades;
 use crate::solve::linear::ordering::plan;
+use crate::solve::linear::slender::SLENDER;
 use crate::solve::linear::solver::{ESTIMATE, LinearSolver};
 use crate::solve::report::{Timings, timed};
 use crate::system::System;
@@ -75,10 +77,15 @@ impl DirectCost {
                 coupled[a].extend(&members);
             }
         }
-        let (mut work, mut numbers) = (0.0, 0.0);
         let size = |groups: &[usize]| groups.iter().map(|&g| sizes[g]).sum::<usize>();
-        for front in plan(&sizes, &coupled, nodes) {
-            let (own, rest) = (size(&front.own), size(&front.boundary));
+        let fronts = plan(&sizes, &coupled, nodes);
+        Self::of_fronts(fronts.iter().map(|f| (size(&f.own), size(&f.boundary))))
+    }
+
+    /// Of fronts that eliminate so many unknowns, and leave so many others.
+    pub(crate) fn of_fronts(fronts: impl Iterator<Item = (usize, usize)>) -> Self {
+        let (mut work, mut numbers) = (0.0, 0.0);
+        for (own, rest) in fronts {
             work += elimination_work(own, rest);
             numbers += (own * (own + 2 * rest)) as f64;
         }
@@ -109,6 +116,7 @@ pub(crate) fn easy_iteration(system: &System, points: usize) -> f64 {
 
 enum Active {
     Direct(Box<Assembled>),
+    LikeBlades(Box<OfLikeBlades>),
     Iterative(Box<Iterative>),
 }
 
@@ -116,6 +124,7 @@ impl Active {
     fn solver(&self) -> &dyn LinearSolver {
         match self {
             Active::Direct(direct) => &**direct,
+            Active::LikeBlades(blades) => &**blades,
             Active::Iterative(iterative) => &**iterative,
         }
     }
@@ -123,6 +132,7 @@ impl Active {
     fn solver_mut(&mut self) -> &mut dyn LinearSolver {
         match self {
             Active::Direct(direct) => &mut **direct,
+            Active::LikeBlades(blades) => &mut **blades,
             Active::Iterative(iterative) => &mut **iterative,
         }
     }
@@ -151,6 +161,8 @@ pub(crate) struct Linear {
 enum Choice {
     /// Factors of the whole Jacobian, or of few freedoms.
     Direct,
+    /// Factors of what is left of one blade.
+    LikeBlades(Box<OfLikeBlades>),
     /// Iteration alone.
     Iterative(Option<Preconditioner>),
     /// Iteration, which gives up for factors of so many multiply-adds.
@@ -209,6 +221,7 @@ impl Plan {
         };
         let own = match choice {
             Choice::Direct => DELAYED * direct_bytes,
+            Choice::LikeBlades(ref blades) => DELAYED * blades.cost().bytes,
             Choice::Iterative(_) | Choice::IterativeFirst { .. } => PRECONDITIONER * tangent,
         };
         Plan {
@@ -217,6 +230,38 @@ impl Plan {
             falls_back,
             most_products,
             bytes: tangent + own,
+        }
+    }
+
+    /// The same, by what is left of one blade where all are alike and that costs less.
+    pub fn of_symmetric(equations: &Collocation, method: LinearMethod, most_bytes: f64) -> Self {
+        let plan = Self::of(equations, method, most_bytes);
+        let slender = equations.system().slenderness() > SLENDER;
+        if slender || FreedomSolver::work(equations).is_some() {
+            return plan;
+        }
+        let Some(left) = LikeBlades::of(equations) else {
+            return plan;
+        };
+        let blades = Box::new(OfLikeBlades::new(equations, left, method));
+        let cost = blades.cost();
+        let is_cheap = match (&plan.choice, method) {
+            (_, LinearMethod::Direct) | (Choice::Direct, _) => true,
+            (_, LinearMethod::Iterative(_)) => false,
+            _ => {
+                let numbers = equations.layout().motions().len() as f64;
+                cost.bytes < LARGE.min(most_bytes) && cost.work < AFFORDABLE * numbers
+            }
+        };
+        if !is_cheap {
+            return plan;
+        }
+        let tangent = tangent_bytes(equations.system(), equations.grid().points());
+        Plan {
+            bytes: tangent + DELAYED * cost.bytes,
+            choice: Choice::LikeBlades(blades),
+            falls_back: false,
+            ..plan
         }
     }
 }
@@ -242,6 +287,7 @@ impl Linear {
         let iterative = |preconditioner| Iterative::new(equations, preconditioner);
         let active = match plan.choice {
             Choice::Direct => Active::Direct(Box::new(Assembled::new(equations))),
+            Choice::LikeBlades(blades) => Active::LikeBlades(blades),
             Choice::Iterative(preconditioner) => {
                 Active::Iterative(Box::new(iterative(preconditioner)))
             }
@@ -273,16 +319,16 @@ impl Linear {
         self
     }
 
-    /// Whether there are factors of the whole Jacobian, or will be.
+    /// Whether equations are solved by factors.
     pub fn is_direct(&self) -> bool {
-        matches!(self.active, Active::Direct(_))
+        matches!(self.active, Active::Direct(_) | Active::LikeBlades(_))
     }
 
     /// What iteration took, if any was tried.
     pub fn record(&self) -> Option<&IterativeRecord> {
         match &self.active {
             Active::Iterative(iterative) => Some(&iterative.record),
-            Active::Direct(_) => self.given_up.as_ref(),
+            Active::Direct(_) | Active::LikeBlades(_) => self.given_up.as_ref(),
         }
     }
 
@@ -326,15 +372,18 @@ impl Linear {
             self.last = Some(state.clone());
             self.products = 0;
         }
-        if let Active::Direct(direct) = &mut self.active {
-            let regular = direct.linearise(equations, state, timings);
+        if !matches!(self.active, Active::Iterative(_)) {
+            let regular = self
+                .active
+                .solver_mut()
+                .linearise(equations, state, timings);
             if !self.refused(&regular) {
                 return regular;
             }
             self.give_up_factors(equations);
         }
         let (done, suspect) = match &mut self.active {
-            Active::Direct(direct) => return direct.linearise(equations, state, timings),
+            Active::Direct(_) | Active::LikeBlades(_) => return Ok(false),
             Active::Iterative(iterative) => (
                 iterate(iterative, equations, timings)?,
                 // Factors will tell whether it is singular.
@@ -345,8 +394,7 @@ impl Linear {
             return Ok(true);
         }
         let regular = self.fall_back(equations, timings)?;
-        let is_direct = matches!(self.active, Active::Direct(_));
-        Ok(if is_direct { regular } else { done })
+        Ok(if self.is_direct() { regular } else { done })
     }
 
     /// Gives iteration up for factors.
@@ -373,6 +421,10 @@ impl Linear {
 }
 
 impl LinearSolver for Linear {
+    fn prepare(&self, equations: &Collocation, state: &mut GridState) {
+        self.active.solver().prepare(equations, state);
+    }
+
     fn linearise(
         &mut self,
         equations: &mut Collocation,
@@ -403,21 +455,17 @@ impl LinearSolver for Linear {
         timings: &mut Timings,
     ) -> Result<bool> {
         self.limit_products(equations, accuracy, timings)?;
-        let done = match &mut self.active {
-            Active::Direct(direct) => return direct.solve(equations, rhs, accuracy, timings),
-            Active::Iterative(iterative) => {
-                let done = iterative.solve(equations, rhs, accuracy, timings)?;
-                self.products += iterative.record.products.last().copied().unwrap_or(0);
-                done
-            }
+        let Active::Iterative(iterative) = &mut self.active else {
+            let factors = self.active.solver_mut();
+            return factors.solve(equations, rhs, accuracy, timings);
         };
-        if done || !self.fall_back(equations, timings)? {
+        let done = iterative.solve(equations, rhs, accuracy, timings)?;
+        self.products += iterative.record.products.last().copied().unwrap_or(0);
+        if done || !self.fall_back(equations, timings)? || !self.is_direct() {
             return Ok(done);
         }
-        match &mut self.active {
-            Active::Direct(direct) => direct.solve(equations, rhs, accuracy, timings),
-            Active::Iterative(_) => Ok(false),
-        }
+        let factors = self.active.solver_mut();
+        factors.solve(equations, rhs, accuracy, timings)
     }
 
     fn tangent(&mut self) -> Option<&mut Tangent> {

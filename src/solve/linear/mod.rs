@@ -9,6 +9,7 @@
 //!   `ordering` says in which order, `direct/analysis` which fronts follow, `direct/factorisation`
 //!   goes through them, and `front` eliminates one, with `partial_lu` where not all has pivots.
 //! * By freedoms, of mechanisms that have few (docs/theory.md, section 8.2): `freedoms`.
+//! * By what is left of a rotor of like blades (docs/theory.md, section 9.6): `like_blades`.
 //! * By iteration: `iterative`, with GMRES in `iterative/gmres` (docs/theory.md, section 8.3) and
 //!   the preconditioners `iterative/body_circulant` (docs/theory.md, section 8.5) and
 //!   `iterative/time_local` (docs/theory.md, section 8.6).
@@ -30,6 +31,7 @@ pub(crate) mod eigenvalues;
 mod freedoms;
 mod front;
 pub(crate) mod iterative;
+pub(crate) mod like_blades;
 pub(crate) mod method;
 mod ordering;
 mod partial_lu;

@@ -15,6 +15,9 @@ pub(crate) const ESTIMATE: f64 = 1e-2;
 
 /// Solver of the linearised equations.
 pub(crate) trait LinearSolver {
+    /// Makes a state one that a solve can begin at.
+    fn prepare(&self, _: &Collocation, _: &mut GridState) {}
+
     /// Linearises the equations at `state`. `false` if they are singular.
     ///
     /// # Errors

@@ -228,6 +228,7 @@ impl<L: LinearSolver> Newton<L> {
         observe: &mut dyn FnMut(&Iteration) -> bool,
     ) -> Result<NewtonReport> {
         let mut iterations = Vec::new();
+        self.linear.prepare(&self.equations, state);
         let workers = self.equations.workers().clone();
         let was_bounded = workers.work().bound(true);
         let mut run = Run::new(self, state, options, &mut iterations, observe);

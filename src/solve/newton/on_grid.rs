@@ -68,7 +68,7 @@ impl Means {
         }
         let states = of_grid(system, sampled) as f64;
         let most = self.memory.bytes() - states;
-        let plan = Plan::of(&equations, self.linear, most);
+        let plan = Plan::of_symmetric(&equations, self.linear, most);
         let what = format!("a solve on a grid of {} points", grid.points());
         self.memory.require(&what, (states + plan.bytes) as usize)?;
         let mut linear = Linear::planned(&equations, plan);

@@ -4,7 +4,7 @@ use super::Newton;
 use crate::collocation::{Collocation, GridState};
 use crate::error::{Error, Result};
 use crate::solve::linear::bordered::Bordered;
-use crate::solve::linear::method::{Linear, LinearMethod};
+use crate::solve::linear::method::{Linear, LinearMethod, Plan};
 use crate::solve::report::{Iteration, NewtonOptions, NewtonReport};
 
 /// Solves equations that have scalar unknowns, such as a period or the size of a load, and scalar
@@ -31,7 +31,8 @@ pub fn solve_with_scalars(
 impl Newton<Bordered<Linear>> {
     /// A solver for equations that have scalar unknowns; `method` solves those of the grid.
     pub(crate) fn bordered(equations: Collocation, method: LinearMethod) -> Self {
-        let linear = Bordered::new(&equations, Linear::new(&equations, method));
+        let plan = Plan::of_symmetric(&equations, method, f64::INFINITY);
+        let linear = Bordered::new(&equations, Linear::planned(&equations, plan));
         Newton::with(equations, linear)
     }
 }

@@ -8,7 +8,7 @@ mod factorisation;
 
 pub use columns::Columns;
 
-use crate::collocation::Pattern;
+use crate::collocation::{Panel, Pattern};
 use crate::error::Result;
 use crate::solve::linear::dense::{
     largest, solve_unit_lower, solve_unit_lower_transposed, solve_upper, solve_upper_transposed,
@@ -17,10 +17,12 @@ use crate::solve::linear::dense::{
 use crate::solve::linear::direct::analysis::Analysis;
 use crate::solve::linear::direct::factorisation::Factorisation;
 use crate::solve::linear::front::{Front, Held, NoPivot};
+use crate::solve::linear::method::DirectCost;
 use crate::solve::linear::solver::COARSE;
 use crate::work::{OF_FACTORS, SUBSTITUTION};
 use crate::workers::Workers;
 use faer::Mat;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// A pivot smaller than this, relative to its column, waits for constraints to be eliminated with.
@@ -64,8 +66,21 @@ pub struct DirectSolver {
 impl DirectSolver {
     /// Orders and analyses matrices of `pattern`.
     pub fn new(pattern: &Pattern) -> Self {
-        let analysis = Analysis::new(pattern.groups(), pattern.node_groups(), pattern.panels());
-        Self::with(Arc::new(analysis))
+        Self::of_panels(pattern.groups(), pattern.node_groups(), pattern.panels())
+    }
+
+    /// For matrices of unknowns in groups, of which the first are nodes, with these entries.
+    pub fn of_panels(groups: Vec<Range<usize>>, node_groups: usize, panels: Vec<Panel>) -> Self {
+        Self::with(Arc::new(Analysis::new(groups, node_groups, panels)))
+    }
+
+    /// What a factorisation takes, as planned.
+    pub(crate) fn cost(&self) -> DirectCost {
+        let fronts = self.analysis.plans.iter().map(|plan| {
+            let own = self.analysis.size_of(&plan.own);
+            (own, self.analysis.size_of(&plan.boundary))
+        });
+        DirectCost::of_fronts(fronts)
     }
 
     /// Another one for matrices of the same pattern.

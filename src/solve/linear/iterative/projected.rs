@@ -53,6 +53,10 @@ impl<L: LinearSolver> Projected<L> {
 }
 
 impl<L: LinearSolver> LinearSolver for Projected<L> {
+    fn prepare(&self, equations: &Collocation, state: &mut GridState) {
+        self.sampled.prepare(equations, state);
+    }
+
     fn linearise(
         &mut self,
         equations: &mut Collocation,

@@ -1,0 +1,277 @@
+//! Whether blades are alike in all that acts on them, and what carries constraint forces from one
+//! to the next: both are found by evaluating the elements.
+
+use super::LikeBlades;
+use crate::collocation::problem::Collocation;
+use crate::collocation::state::GridState;
+use crate::collocation::tangent::Tangent;
+use crate::error::Result;
+use crate::fourier::TimeGrid;
+use crate::system::{ElementRole, Symmetry, System, describe_role, not_alike};
+use nalgebra::{DMatrix, DVector, Matrix6, Vector6};
+use std::collections::HashMap;
+use std::mem::discriminant;
+use std::sync::Arc;
+
+/// Grid points of each part of the period at which elements are looked at.
+const POINTS: usize = 3;
+/// Differences of forces, relative to these, that are none.
+const ALIKE: f64 = 1e-7;
+/// Forces that small, relative to the largest of all, are none.
+const NOTHING: f64 = 1e-9;
+/// What carries differs from nothing by rounding only.
+const SAME: f64 = 1e-12;
+/// Turns, and displacements relative to the size of the model, of the motion that is tried.
+const TRIED: f64 = 0.01;
+
+/// The unknowns that are left on a grid of so many points; none if not all that acts on them is
+/// understood: laws of the user with internal states of their own.
+///
+/// # Errors
+/// If what acts on a blade does not act on the next one a `B`-th of the period earlier, or elements
+/// cannot be evaluated.
+pub fn like_blades(
+    system: &Arc<System>,
+    symmetry: &Symmetry,
+    points: usize,
+) -> Result<Option<LikeBlades>> {
+    if system.elements().iter().any(|placed| placed.has_feedback) {
+        return Ok(None);
+    }
+    let grid = TimeGrid::new(POINTS * symmetry.blades, system.period())?;
+    let mut equations = Collocation::new(system.clone(), grid)?;
+    let mut state = GridState::reference(system, grid);
+    let count = grid.points();
+    for (node, reference) in system.reference().iter().enumerate() {
+        for k in 0..count {
+            let fraction = k as f64 / count as f64;
+            state.motions[node * count + k] = symmetry.turned(node, reference, fraction);
+        }
+    }
+    state.track_through(system);
+    let carries = carries(&mut equations, symmetry, &state)?;
+    let tried = LikeBlades::new(system, symmetry, count, &carries);
+
+    // Constraint forces, where constraints are met; then everything else, anywhere.
+    let mut loaded = state.clone();
+    let force = system.scales().force;
+    for (i, x) in loaded.multipliers.iter_mut().enumerate() {
+        *x = force * spread(i);
+    }
+    for placed in system.elements().iter().filter(|p| p.has_states) {
+        for k in 0..count {
+            loaded.own_of_mut(placed, k).fill(0.0);
+        }
+    }
+    tried.make_alike(system, equations.column_scale(), &mut loaded);
+    require_alike(&mut equations, symmetry, &carries, (&loaded, true))?;
+    let length = system.scales().length;
+    for (i, motion) in state.motions.iter_mut().enumerate() {
+        let step = Vector6::from_fn(|j, _| TRIED * spread(6 * i + j));
+        let scale = Vector6::new(length, length, length, 1.0, 1.0, 1.0);
+        *motion = motion.increment(&step.component_mul(&scale));
+    }
+    tried.make_alike(system, equations.column_scale(), &mut state);
+    require_alike(&mut equations, symmetry, &carries, (&state, false))?;
+    Ok(Some(LikeBlades::new(system, symmetry, points, &carries)))
+}
+
+/// Numbers between −1 and 1 without structure.
+fn spread(i: usize) -> f64 {
+    2.0 * (i as f64 * 0.618_033_988_75 + 0.3).fract() - 1.0
+}
+
+/// What carries the own unknowns of each element to its image, scaled: the forces that they make
+/// have to be those of the image, at all times.
+fn carries(
+    equations: &mut Collocation,
+    symmetry: &Symmetry,
+    state: &GridState,
+) -> Result<Vec<Option<DMatrix<f64>>>> {
+    let system = equations.system().clone();
+    let (points, layout) = (state.points(), equations.layout());
+    let part = points / symmetry.blades;
+    let mut tangent = Tangent::new(&system, points);
+    tangent.evaluate(equations, state)?;
+    let scales = equations.column_scale()[..6].to_vec();
+    let carry_of = |node: usize| {
+        let adjoint = symmetry.carries[node].adjoint();
+        Matrix6::from_fn(|i, j| adjoint[(i, j)] * scales[j] / scales[i])
+    };
+    // `∂constraint/∂u` with scaled rows and columns.
+    let gradient = |index: usize, k: usize| {
+        let placed = &system.elements()[index];
+        let rows = &equations.row_scale()[layout.element_at(placed, k)];
+        let entries = tangent.gradient(&system, index, k);
+        let columns = 6 * placed.element.nodes().len();
+        let mut matrix = DMatrix::from_column_slice(rows.len(), columns, entries);
+        for (j, mut column) in matrix.column_iter_mut().enumerate() {
+            column
+                .iter_mut()
+                .zip(rows)
+                .for_each(|(x, row)| *x *= row * scales[j % 6]);
+        }
+        matrix
+    };
+    let mut carries = Vec::with_capacity(system.elements().len());
+    for (index, placed) in system.elements().iter().enumerate() {
+        if placed.element.own_unknowns() == 0 || placed.has_states {
+            carries.push(None);
+            continue;
+        }
+        let image = symmetry.elements[index];
+        let refuse = || {
+            let (one, other) = (describe_role(placed.role), system.elements()[image].role);
+            not_alike(&format!(
+                "{one} constrains other motions than {} does a part of the period earlier",
+                describe_role(other)
+            ))
+        };
+        let mut found: Option<DMatrix<f64>> = None;
+        for k in 0..points {
+            let here = gradient(image, k);
+            let mut there = gradient(index, (k + part) % points);
+            for (local, &node) in placed.element.nodes().iter().enumerate() {
+                let carried = there.columns(6 * local, 6) * carry_of(node);
+                there.columns_mut(6 * local, 6).copy_from(&carried);
+            }
+            let carry = match &found {
+                Some(carry) => carry,
+                None => {
+                    let square = &here * here.transpose();
+                    let inverse = square.try_inverse().ok_or_else(refuse)?;
+                    found.insert(inverse * &here * there.transpose())
+                }
+            };
+            let off = here.transpose() * carry - there.transpose();
+            // Written so that NaN is refused too.
+            let is_alike = off.amax() <= ALIKE * here.amax();
+            if !is_alike {
+                return Err(refuse());
+            }
+        }
+        let is_same = |carry: &DMatrix<f64>| {
+            (carry - DMatrix::identity(carry.nrows(), carry.ncols())).amax() < SAME
+        };
+        carries.push(found.filter(|carry| !is_same(carry)));
+    }
+    Ok(carries)
+}
+
+/// What elements of one kind on the same nodes do, at each grid point.
+struct Acting {
+    role: ElementRole,
+    nodes: Vec<usize>,
+    /// Forces on the nodes, scaled.
+    forces: Vec<DVector<f64>>,
+}
+
+/// Checks that the forces of all elements at a state in which blades move alike are alike, and
+/// what is asked of their own unknowns: of multipliers where constraints are `met`, of internal
+/// states elsewhere.
+fn require_alike(
+    equations: &mut Collocation,
+    symmetry: &Symmetry,
+    carries: &[Option<DMatrix<f64>>],
+    (state, met): (&GridState, bool),
+) -> Result<()> {
+    let system = equations.system().clone();
+    let (points, layout) = (state.points(), equations.layout());
+    let part = points / symmetry.blades;
+    equations.update_kinematics(state);
+    let mut workspace = system.workspace(false);
+    let mut places = HashMap::new();
+    let mut acting: Vec<Acting> = Vec::new();
+    // Of each element, what is asked of its own unknowns.
+    let mut asked: Vec<Vec<DVector<f64>>> = Vec::with_capacity(system.elements().len());
+    for placed in system.elements() {
+        let nodes = placed.element.nodes();
+        let place = *places
+            .entry((discriminant(&placed.role), nodes.to_vec()))
+            .or_insert(acting.len());
+        if place == acting.len() {
+            acting.push(Acting {
+                role: placed.role,
+                nodes: nodes.to_vec(),
+                forces: vec![DVector::zeros(6 * nodes.len()); points],
+            });
+        }
+        let mut own = Vec::new();
+        for (k, sum) in acting[place].forces.iter_mut().enumerate() {
+            let out = (equations.instants).evaluate(placed, k, state, &mut workspace)?;
+            for (i, (sum, x)) in sum.iter_mut().zip(&out.force).enumerate() {
+                *sum += x * equations.row_scale()[i % 6];
+            }
+            if placed.element.own_unknowns() > 0 && placed.has_states != met {
+                let rows = &equations.row_scale()[layout.element_at(placed, k)];
+                let scaled = out.constraint.iter().zip(rows).map(|(x, s)| x * s);
+                own.push(DVector::from_iterator(rows.len(), scaled));
+            }
+        }
+        asked.push(own);
+    }
+    let all = acting.iter().flat_map(|acting| &acting.forces);
+    let largest = all.fold(0.0f64, |most, forces| most.max(forces.amax()));
+    let scales = &equations.column_scale()[..6];
+    let earlier = format!("1/{} of the period earlier", symmetry.blades);
+    for Acting {
+        role,
+        nodes,
+        forces,
+    } in &acting
+    {
+        let images: Vec<usize> = nodes.iter().map(|&node| symmetry.nodes[node]).collect();
+        let image = places
+            .get(&(discriminant(role), images))
+            .map(|&i| &acting[i]);
+        for k in 0..points {
+            let there = &forces[(k + part) % points];
+            let mut off = 0.0f64;
+            for (local, &node) in nodes.iter().enumerate() {
+                let adjoint = symmetry.carries[node].adjoint();
+                let carry = Matrix6::from_fn(|i, j| adjoint[(i, j)] * scales[j] / scales[i]);
+                let carried = carry.tr_mul(&there.fixed_rows::<6>(6 * local));
+                let here = image.map_or(Vector6::zeros(), |image| {
+                    image.forces[k].fixed_rows::<6>(6 * local).into_owned()
+                });
+                off = off.max((carried - here).amax());
+            }
+            // Written so that NaN is refused too.
+            let is_alike = off <= ALIKE * there.amax() + NOTHING * largest;
+            if !is_alike {
+                let (one, other) = (describe_role(*role), image.map(|i| describe_role(i.role)));
+                return Err(not_alike(&match other {
+                    Some(other) if other != one => format!(
+                        "{other} does not act on nodes {:?} as {one} does on nodes {nodes:?} \
+                         {earlier}",
+                        image.map_or(&[][..], |image| &image.nodes)
+                    ),
+                    Some(_) => format!("{one} does not act on nodes {nodes:?} as {earlier}"),
+                    None => format!(
+                        "{one} on nodes {nodes:?} has no like on the nodes that follow them"
+                    ),
+                }));
+            }
+        }
+    }
+    for (index, placed) in system.elements().iter().enumerate() {
+        let image = symmetry.elements[index];
+        let (here, there) = (&asked[image], &asked[index]);
+        for (k, here) in here.iter().enumerate() {
+            let there = &there[(k + part) % points];
+            let here = match &carries[index] {
+                Some(carry) => carry.tr_mul(here),
+                None => here.clone(),
+            };
+            let is_alike = (here - there).amax() <= ALIKE * there.amax().max(1.0);
+            if !is_alike {
+                let other = describe_role(system.elements()[image].role);
+                return Err(not_alike(&format!(
+                    "{other} does not prescribe what {} does {earlier}",
+                    describe_role(placed.role)
+                )));
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,344 @@
+//! Unknowns that are left of a rotor of like blades (docs/theory.md, section 9.6): those of one
+//! blade over the period, and of hub and supports over the `B`-th part of it.
+
+mod check;
+
+pub use check::like_blades;
+
+use super::problem::Collocation;
+use super::state::GridState;
+use crate::motion::Motion;
+use crate::system::{Layout, Symmetry, System};
+use nalgebra::{DMatrix, Matrix6, Vector6};
+
+/// What carries differs from nothing by rounding only.
+const SAME: f64 = 1e-13;
+
+/// Where the unknowns of a node, or of an element, are among those that are left, for one part of
+/// the period after the other.
+#[derive(Debug, Clone)]
+pub struct Follower<T> {
+    /// The node, or element, that it follows; it may be itself.
+    pub leader: usize,
+    /// For each of its `B` parts of the period: the leader's part, and what carries that there; none
+    /// where it is the same.
+    pub parts: Vec<(usize, Option<T>)>,
+}
+
+/// What carries increments of a node's motion, and the motion itself.
+#[derive(Debug, Clone)]
+pub struct Carry {
+    /// `M = M_leader Z`.
+    pub motion: Motion,
+    /// Of scaled increments: `Ad(Z⁻¹)`.
+    pub increment: Matrix6<f64>,
+}
+
+/// The unknowns that are left, in order: for each leading node the increments of its motion at one
+/// grid point of its parts after the other, then the own unknowns of each leading element.
+///
+/// With `E` that carries them to all unknowns, the equations that are left are `Eᵀ J E / B`: rows
+/// of leaders alone, as all their followers have the same.
+#[derive(Debug, Clone)]
+pub struct LikeBlades {
+    /// Number of blades.
+    pub blades: usize,
+    /// Grid points of a part of the period.
+    pub part: usize,
+    /// Each node.
+    pub nodes: Vec<Follower<Carry>>,
+    /// Each element.
+    pub elements: Vec<Follower<DMatrix<f64>>>,
+    /// First unknown of each leading node and element, and how many parts of the period it has.
+    pub node_places: Vec<Option<(usize, usize)>>,
+    /// Likewise.
+    pub element_places: Vec<Option<(usize, usize)>>,
+    motions: usize,
+    size: usize,
+}
+
+impl LikeBlades {
+    /// On a grid of so many points, a multiple of the number of blades. `carries` are those of the
+    /// own unknowns of each element to its image, scaled; none where they are the same.
+    fn new(
+        system: &System,
+        symmetry: &Symmetry,
+        points: usize,
+        carries: &[Option<DMatrix<f64>>],
+    ) -> Self {
+        let blades = symmetry.blades;
+        let nodes = followers(&symmetry.nodes, blades, |chain, back| {
+            let forth = chain.iter().map(|&node| symmetry.carries[node]);
+            let forth = forth.fold(Motion::identity(), |sum, c| sum.compose(&c));
+            let once = symmetry.carries[chain.first().copied().unwrap_or(back.0)].inverse();
+            let motion = (0..back.1).fold(Motion::identity(), |sum, _| sum.compose(&once));
+            let motion = motion.compose(&forth);
+            let length = system.scales().length;
+            let scale = |i: usize| if i < 3 { length } else { 1.0 };
+            let adjoint = motion.inverse().adjoint();
+            let increment = Matrix6::from_fn(|i, j| adjoint[(i, j)] * scale(j) / scale(i));
+            let is_same = (increment - Matrix6::identity()).amax() < SAME;
+            (!is_same).then_some(Carry { motion, increment })
+        });
+        let elements = followers(&symmetry.elements, blades, |chain, (leader, turns)| {
+            let count = system.elements()[leader].element.own_unknowns();
+            let identity = DMatrix::<f64>::identity(count, count);
+            let carry =
+                |element: usize| carries[element].clone().unwrap_or_else(|| identity.clone());
+            let forth = chain
+                .iter()
+                .fold(identity.clone(), |sum, &e| carry(e) * sum);
+            let once = carry(leader)
+                .try_inverse()
+                .unwrap_or_else(|| identity.clone());
+            let carry = (0..turns).fold(forth, |sum, _| sum * &once);
+            let is_same = (&carry - &identity).amax() < SAME;
+            (!is_same).then_some(carry)
+        });
+        let part = points / blades;
+        let mut size = 0;
+        let mut place = |index: usize, leader: usize, own_image: bool, count: usize| {
+            (index == leader).then(|| {
+                let (first, parts) = (size, if own_image { 1 } else { blades });
+                size += count * parts * part;
+                (first, parts)
+            })
+        };
+        let node_places = (nodes.iter().enumerate())
+            .map(|(i, node)| place(i, node.leader, symmetry.nodes[i] == i, 6))
+            .collect();
+        let motions = (nodes.iter().enumerate())
+            .filter(|(i, node)| node.leader == *i)
+            .map(|(i, _)| if symmetry.nodes[i] == i { 1 } else { blades })
+            .sum::<usize>()
+            * 6
+            * part;
+        let element_places = (elements.iter().enumerate())
+            .map(|(i, element)| {
+                let count = system.elements()[i].element.own_unknowns();
+                place(i, element.leader, symmetry.elements[i] == i, count)
+            })
+            .collect();
+        LikeBlades {
+            blades,
+            part,
+            nodes,
+            elements,
+            node_places,
+            element_places,
+            motions,
+            size,
+        }
+    }
+
+    /// Those of equations that are sampled on an even grid of as many points for each blade; none
+    /// of others, or if blades are not alike.
+    pub fn of(equations: &Collocation) -> Option<Self> {
+        let system = equations.system();
+        let symmetry = system.symmetry()?;
+        let points = equations.grid().points();
+        let is_even = equations.rule().over_grid()?.slopes.is_empty();
+        let fits = is_even && points > 1 && points.is_multiple_of(symmetry.blades);
+        if !fits || equations.oversampled().is_some() {
+            return None;
+        }
+        like_blades(system, symmetry, points).ok().flatten()
+    }
+
+    /// Number of those that are motions: the first.
+    pub fn motions(&self) -> usize {
+        self.motions
+    }
+
+    /// Number of unknowns that are left.
+    pub fn size(&self) -> usize {
+        self.size
+    }
+
+    /// Where the increments of a node at grid point `k` of the whole period are: the first of those
+    /// that are left, and what carries them there.
+    pub fn node_at(&self, node: usize, k: usize) -> (usize, Option<&Matrix6<f64>>) {
+        let follower = &self.nodes[node];
+        let (part, carry) = &follower.parts[k / self.part];
+        let (first, _) = self.node_places[follower.leader].unwrap_or_default();
+        let point = part * self.part + k % self.part;
+        (first + 6 * point, carry.as_ref().map(|c| &c.increment))
+    }
+
+    /// The same of an element's own unknowns, `count` of them.
+    pub fn element_at(
+        &self,
+        element: usize,
+        count: usize,
+        k: usize,
+    ) -> (usize, Option<&DMatrix<f64>>) {
+        let follower = &self.elements[element];
+        let (part, carry) = &follower.parts[k / self.part];
+        let (first, _) = self.element_places[follower.leader].unwrap_or_default();
+        let point = part * self.part + k % self.part;
+        (first + count * point, carry.as_ref())
+    }
+
+    /// The mean of what the followers of each leader have for its equations.
+    pub(crate) fn gathered(&self, system: &System, layout: Layout, all: &[f64]) -> Vec<f64> {
+        self.weighted(system, layout, all, |_| 1.0 / self.blades as f64)
+    }
+
+    /// What tells equations of followers from those of their leaders: zero where there is nothing.
+    pub(crate) fn disparity(&self, system: &System, layout: Layout, all: &[f64]) -> Vec<f64> {
+        // Different for any two of a leader's followers, and no more than their sum.
+        let blades = self.blades as f64;
+        self.weighted(system, layout, all, |q| {
+            (2.0 * q as f64 + 1.0 - blades) / blades
+        })
+    }
+
+    /// `Σ w_q Eᵀ`, with a weight for each part of the period.
+    fn weighted(
+        &self,
+        system: &System,
+        layout: Layout,
+        all: &[f64],
+        weight: impl Fn(usize) -> f64,
+    ) -> Vec<f64> {
+        let mut left = vec![0.0; self.size];
+        let points = layout.points();
+        for node in 0..self.nodes.len() {
+            for k in 0..points {
+                let (first, carry) = self.node_at(node, k);
+                let rows = Vector6::from_column_slice(&all[layout.motion(node, k)]);
+                let rows = carry.map_or(rows, |carry| carry.tr_mul(&rows));
+                let weight = weight(k / self.part);
+                let sums = left[first..].iter_mut().zip(&rows);
+                sums.for_each(|(sum, x)| *sum += weight * x);
+            }
+        }
+        for (index, placed) in system.elements().iter().enumerate() {
+            let count = placed.element.own_unknowns();
+            for k in 0..if count > 0 { points } else { 0 } {
+                let (first, carry) = self.element_at(index, count, k);
+                let rows = &all[layout.element_at(placed, k)];
+                let weight = weight(k / self.part);
+                for (i, sum) in left[first..][..count].iter_mut().enumerate() {
+                    let row = match carry {
+                        Some(carry) => carry.column(i).iter().zip(rows).map(|(c, x)| c * x).sum(),
+                        None => rows[i],
+                    };
+                    *sum += weight * row;
+                }
+            }
+        }
+        left
+    }
+
+    /// `E`: writes all unknowns from those that are left.
+    pub fn scatter(&self, system: &System, layout: Layout, left: &[f64], all: &mut [f64]) {
+        let points = layout.points();
+        for node in 0..self.nodes.len() {
+            for k in 0..points {
+                let (first, carry) = self.node_at(node, k);
+                let x = Vector6::from_column_slice(&left[first..][..6]);
+                let x = carry.map_or(x, |carry| carry * x);
+                all[layout.motion(node, k)].copy_from_slice(x.as_slice());
+            }
+        }
+        for (index, placed) in system.elements().iter().enumerate() {
+            let count = placed.element.own_unknowns();
+            for k in 0..if count > 0 { points } else { 0 } {
+                let (first, carry) = self.element_at(index, count, k);
+                let x = &left[first..][..count];
+                let out = &mut all[layout.element_at(placed, k)];
+                match carry {
+                    Some(carry) => {
+                        for (i, out) in out.iter_mut().enumerate() {
+                            *out = carry.row(i).iter().zip(x).map(|(c, x)| c * x).sum();
+                        }
+                    }
+                    None => out.copy_from_slice(x),
+                }
+            }
+        }
+    }
+
+    /// Lets all follow their leaders in a state, but for internal states that gain in a period.
+    pub fn make_alike(&self, system: &System, column_scale: &[f64], state: &mut GridState) {
+        let points = state.points();
+        let layout = system.layout(points);
+        let leaders = state.clone();
+        for (node, follower) in self.nodes.iter().enumerate() {
+            let motions = &mut state.motions[node * points..][..points];
+            for (k, motion) in motions.iter_mut().enumerate() {
+                let (part, carry) = &follower.parts[k / self.part];
+                let there = leaders.node(follower.leader)[part * self.part + k % self.part];
+                *motion = match carry {
+                    Some(carry) => there.compose(&carry.motion),
+                    None => there,
+                };
+            }
+        }
+        for (index, placed) in system.elements().iter().enumerate() {
+            let count = placed.element.own_unknowns();
+            if count == 0 || (0..count).any(|row| leaders.gain(system, placed, row) != 0.0) {
+                continue;
+            }
+            let follower = &self.elements[index];
+            let leader = &system.elements()[follower.leader];
+            let scale_at = |k: usize| &column_scale[layout.element_at(placed, k)];
+            for k in 0..points {
+                let (part, carry) = &follower.parts[k / self.part];
+                let from = part * self.part + k % self.part;
+                let there = leaders.own_of(leader, from);
+                let (scale, of_leader) =
+                    (scale_at(k), &column_scale[layout.element_at(leader, from)]);
+                for (i, x) in state.own_of_mut(placed, k).iter_mut().enumerate() {
+                    *x = match carry {
+                        Some(carry) => {
+                            let scaled = there.iter().zip(of_leader).map(|(x, s)| x / s);
+                            let sum: f64 =
+                                carry.row(i).iter().zip(scaled).map(|(c, x)| c * x).sum();
+                            sum * scale[i]
+                        }
+                        None => there[i],
+                    };
+                }
+            }
+        }
+        state.track(system);
+    }
+}
+
+/// What follows what, from the image of each, `blades` times in a period. `carry` is asked for what
+/// carries the unknowns of a leader along a chain of images, after they were carried back so many
+/// times from its own image.
+fn followers<T>(
+    images: &[usize],
+    blades: usize,
+    carry: impl Fn(&[usize], (usize, usize)) -> Option<T>,
+) -> Vec<Follower<T>> {
+    let mut found: Vec<Option<Follower<T>>> = images.iter().map(|_| None).collect();
+    for leader in 0..images.len() {
+        if found[leader].is_some() {
+            continue;
+        }
+        let mut chain = Vec::new();
+        let mut at = leader;
+        for shift in 0..blades {
+            if shift > 0 && at == leader {
+                break;
+            }
+            let parts = (0..blades).map(|q| match images[leader] == leader {
+                // Its own image: all parts are the first one, carried back.
+                true => (0, carry(&[], (leader, q))),
+                false => {
+                    let part = (q + shift) % blades;
+                    (part, carry(&chain, (leader, 0)))
+                }
+            });
+            let parts = parts.collect();
+            found[at] = Some(Follower { leader, parts });
+            chain.push(at);
+            at = images[at];
+        }
+    }
+    found.into_iter().flatten().collect()
+}

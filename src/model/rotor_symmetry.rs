@@ -1,0 +1,97 @@
+//! Blades that are alike: one moves as the one before it did.
+
+use super::Model;
+use super::validation::direction;
+use crate::error::{Error, Result, require_finite};
+use nalgebra::Vector3;
+use serde::{Deserialize, Serialize};
+
+/// A rotor of `B` like blades, which turns once in a period: each blade is where the one before it
+/// was, a `B`-th of the period earlier.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RotorSymmetry {
+    /// Direction of the axis, of length 1: the rotor turns about it in the positive sense.
+    axis: Vector3<f64>,
+    /// A point of the axis.
+    point: Vector3<f64>,
+    /// Nodes that turn with the blades and belong to all of them.
+    hub: Vec<usize>,
+    /// Nodes of each blade, in the same order.
+    blades: Vec<Vec<usize>>,
+}
+
+impl RotorSymmetry {
+    /// Direction of the axis, of length 1.
+    pub fn axis(&self) -> Vector3<f64> {
+        self.axis
+    }
+
+    /// A point of the axis.
+    pub fn point(&self) -> Vector3<f64> {
+        self.point
+    }
+
+    /// Nodes that turn with the blades and belong to all of them.
+    pub fn hub(&self) -> &[usize] {
+        &self.hub
+    }
+
+    /// Nodes of each blade, in the same order.
+    pub fn blades(&self) -> &[Vec<usize>] {
+        &self.blades
+    }
+}
+
+impl Model {
+    /// Says that blades are alike, in place of what was said before: in the reference
+    /// configuration blade `j + 1` is blade `j`, turned by `2π/B` about the axis through `point`,
+    /// and in the motion it is where that one was a `B`-th of the period earlier. The nodes of the
+    /// `hub` turn with the blades, all others do not, and are where they were a `B`-th of the
+    /// period earlier. The axis is directed so that the rotor turns about it in the positive sense,
+    /// once in a period.
+    ///
+    /// # Errors
+    /// If an argument has no finite values, `axis` has no direction, the number of blades is not
+    /// odd or 1, they have no nodes, or not equally many; if a node does not exist or is named
+    /// twice.
+    pub fn set_rotor_symmetry(
+        &mut self,
+        axis: &Vector3<f64>,
+        point: &Vector3<f64>,
+        hub: &[usize],
+        blades: &[Vec<usize>],
+    ) -> Result<()> {
+        let axis = direction("axis", axis)?.normalize();
+        require_finite("point", point.as_slice())?;
+        if blades.len() < 3 || blades.len().is_multiple_of(2) {
+            let expected = "an odd number, at least 3: grids have odd numbers of points, and \
+                            those that blades share are multiples of the number of blades";
+            return Err(Error::size("blades", expected, blades.len()));
+        }
+        let count = blades[0].len();
+        if count == 0 {
+            return Err(Error::size("nodes_of_blade", "at least 1", 0));
+        }
+        for (j, blade) in blades.iter().enumerate() {
+            if blade.len() != count {
+                let expected = format!("{count} nodes, as blade 0 has");
+                let name = format!("blades[{j}]");
+                return Err(Error::size(&name, expected, blade.len()));
+            }
+        }
+        let all: Vec<usize> = blades.iter().flatten().chain(hub).copied().collect();
+        self.require_distinct_nodes(&all)?;
+        self.rotor_symmetry = Some(RotorSymmetry {
+            axis,
+            point: *point,
+            hub: hub.to_vec(),
+            blades: blades.to_vec(),
+        });
+        Ok(())
+    }
+
+    /// Which blades are alike, if that was said.
+    pub fn rotor_symmetry(&self) -> Option<&RotorSymmetry> {
+        self.rotor_symmetry.as_ref()
+    }
+}

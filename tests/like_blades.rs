@@ -1,0 +1,43 @@
+//! Rotors of like blades: solved by what is left of one blade, they move as in whole.
+
+mod common;
+
+use common::models::rotors::*;
+use periodyn::model::Model;
+use periodyn::output::Solution;
+use periodyn::solve::*;
+
+fn solve(model: &Model, period: f64, points: usize) -> Solution {
+    let options = PeriodicOptions {
+        grid_points: GridPoints::Fixed(points),
+        linear: LinearMethod::Direct,
+        ..PeriodicOptions::default()
+    };
+    let solution = Solution::solve(model, period, &options, &mut |_, _| true).unwrap();
+    assert_eq!(
+        solution.outcome(),
+        Outcome::Converged,
+        "{}",
+        solution.report()
+    );
+    solution
+}
+
+#[test]
+fn reduced_and_whole_solutions_agree() {
+    for (count, points, hinged) in [(3, 33, false), (3, 33, true), (5, 35, true)] {
+        let rotor = bladed_rotor(count, 2, hinged);
+        let start = std::time::Instant::now();
+        let whole = solve(&rotor.model, rotor.period, points);
+        let middle = start.elapsed();
+        let reduced = solve(&rotor.symmetric(), rotor.period, points);
+        let end = start.elapsed() - middle;
+        let (a, b) = (&whole.details().state, &reduced.details().state);
+        println!(
+            "{count} {hinged}: {:e} {middle:?} {end:?}",
+            a.distance(b, 3.0)
+        );
+        println!("{}", whole.report());
+        println!("{}", reduced.report());
+    }
+}
