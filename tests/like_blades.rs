@@ -25,8 +25,13 @@ fn solve(model: &Model, period: f64, points: usize) -> Solution {
 
 #[test]
 fn reduced_and_whole_solutions_agree() {
-    for (count, points, hinged) in [(3, 33, false), (3, 33, true), (5, 35, true)] {
-        let rotor = bladed_rotor(count, 2, hinged);
+    for (count, elements, points, hinged) in [
+        (3, 2, 33, false),
+        (3, 2, 33, true),
+        (5, 2, 35, true),
+        (5, 4, 65, true),
+    ] {
+        let rotor = bladed_rotor(count, elements, hinged);
         let start = std::time::Instant::now();
         let whole = solve(&rotor.model, rotor.period, points);
         let middle = start.elapsed();

@@ -99,6 +99,19 @@ impl Symmetry {
     }
 }
 
+impl System {
+    /// The least odd number of at least so many points that like blades can share, or `points`
+    /// itself if that is more than `largest`, or there are none.
+    pub fn shared_points(&self, points: usize, largest: usize) -> usize {
+        let Some(symmetry) = &self.symmetry else {
+            return points;
+        };
+        let parts = points.div_ceil(symmetry.blades) | 1;
+        let shared = parts * symmetry.blades;
+        if shared <= largest { shared } else { points }
+    }
+}
+
 /// The image of each element: that of the same kind on the images of its nodes, where there are
 /// several in the order in which they were described. Those without own unknowns need none.
 fn images(system: &System, nodes: &[usize]) -> Result<Vec<usize>> {

@@ -24,13 +24,24 @@ const SAME: f64 = 1e-12;
 /// Turns, and displacements relative to the size of the model, of the motion that is tried.
 const TRIED: f64 = 0.01;
 
+/// Checks that blades are alike, if they are said to be.
+///
+/// # Errors
+/// If they are not, which says what tells them apart.
+pub fn require_like_blades(system: &Arc<System>) -> Result<()> {
+    match system.symmetry() {
+        Some(symmetry) => like_blades(system, symmetry, symmetry.blades).map(drop),
+        None => Ok(()),
+    }
+}
+
 /// The unknowns that are left on a grid of so many points; none if not all that acts on them is
 /// understood: laws of the user with internal states of their own.
 ///
 /// # Errors
 /// If what acts on a blade does not act on the next one a `B`-th of the period earlier, or elements
 /// cannot be evaluated.
-pub fn like_blades(
+pub(super) fn like_blades(
     system: &Arc<System>,
     symmetry: &Symmetry,
     points: usize,

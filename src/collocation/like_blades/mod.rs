@@ -3,7 +3,8 @@
 
 mod check;
 
-pub use check::like_blades;
+use check::like_blades;
+pub use check::require_like_blades;
 
 use super::problem::Collocation;
 use super::state::GridState;

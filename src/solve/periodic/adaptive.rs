@@ -299,7 +299,10 @@ impl Periodic<'_> {
             let fine = match (next, sharper) {
                 (Next::Accept, _) => break,
                 (_, Some(grid)) => grid,
-                (Next::Refine(next), None) => coarse.with_points(next)?,
+                (Next::Refine(next), None) => {
+                    let system = &self.on.system;
+                    coarse.with_points(system.shared_points(next, adaptation.largest))?
+                }
                 (Next::Miss(why) | Next::Exhausted(why), None) => {
                     report.outcome = Outcome::ToleranceNotMet;
                     report.explanation = missed(&why);
@@ -455,7 +458,8 @@ impl Periodic<'_> {
         }
         let most = GROWTH[1] * self.on.grid.points() as f64;
         let points = quick(wanted.min(most).ceil() as usize);
-        Ok(Some(points.min(adaptation.largest_odd())))
+        let points = points.min(adaptation.largest_odd());
+        Ok(Some(system.shared_points(points, adaptation.largest)))
     }
 }
 

@@ -5,7 +5,7 @@ use super::estimate::assess;
 use super::loads::Loads;
 use super::options::{GridPoints, PeriodicOptions};
 use super::solve_periodic;
-use crate::collocation::{Collocation, GridState};
+use crate::collocation::{Collocation, GridState, require_like_blades};
 use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
@@ -71,6 +71,8 @@ pub fn solve_conditioned(
         let expected = format!("a state on {points} grid points");
         return Err(Error::size("options.guess", expected, grid.points()));
     }
+    let system = Arc::new(System::new(model, period)?);
+    require_like_blades(&system)?;
     let watching = options.watch.begin(Stage::Newton, grid.points());
     let mut observe = watching.with(observe);
     let mut solve = ConditionedSolve {
@@ -80,7 +82,7 @@ pub fn solve_conditioned(
         workers: Workers::new(options.threads)?.telling(watching.pulse()),
         found: Found {
             model: model.clone(),
-            system: Arc::new(System::new(model, period)?),
+            system,
             grid,
             state: start,
         },
@@ -143,6 +145,7 @@ impl ConditionedSolve<'_> {
             };
             let found = &mut self.found;
             let (system, grid) = (&found.system, found.grid);
+            let next = system.shared_points(next, adaptation.largest);
             let finer = grid.with_points(next)?;
             match (found.state).resampled(system, grid, 0.0, finer, &self.workers) {
                 Ok(resampled) => (found.grid, found.state) = (finer, resampled),

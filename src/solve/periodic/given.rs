@@ -55,7 +55,8 @@ impl Periodic<'_> {
         if !self.starts.is_quasi_static() {
             return self.find_at(grid);
         }
-        let half = grid.of_half_the_harmonics();
+        let shared = |points| self.on.system.shared_points(points, grid.points());
+        let half = grid.with_points(shared(grid.of_half_the_harmonics().points()))?;
         let coarser = grid.with_points(half.points().min(self.coarse))?;
         let is_first = self.on.grid == grid;
         if is_first && coarser.points() < LEAST_COARSE {

@@ -18,6 +18,7 @@ pub(crate) mod options;
 mod sharp;
 mod waves;
 
+use crate::collocation::require_like_blades;
 use crate::error::Result;
 use crate::fourier::TimeGrid;
 use crate::model::Model;
@@ -77,7 +78,7 @@ struct FirstGrids {
 }
 
 impl FirstGrids {
-    fn of(options: &PeriodicOptions, loads: &Loads) -> Self {
+    fn of(options: &PeriodicOptions, system: &System, loads: &Loads) -> Self {
         match (&options.guess, options.grid_points) {
             (InitialGuess::State(_), GridPoints::Fixed(wanted)) => FirstGrids {
                 wanted,
@@ -89,7 +90,7 @@ impl FirstGrids {
                 let adaptation = Adaptation::default();
                 let first = adaptation.first(loads);
                 let guess = adaptation.guess(first);
-                let coarse = first.min(wanted);
+                let coarse = system.shared_points(first.min(wanted), wanted);
                 let is_large = wanted > LARGE * guess;
                 FirstGrids {
                     wanted,
@@ -99,13 +100,18 @@ impl FirstGrids {
                 }
             }
             (guess, GridPoints::Adaptive(adaptation)) => {
-                let wanted = match guess {
-                    InitialGuess::State(state) => state.points(),
-                    _ => adaptation.first(loads),
+                let shared = |points| system.shared_points(points, adaptation.largest);
+                let first = adaptation.first(loads);
+                let (wanted, starts) = match guess {
+                    InitialGuess::State(state) => {
+                        let points = state.points();
+                        (points, adaptation.guess(points))
+                    }
+                    _ => (shared(first), shared(adaptation.guess(first))),
                 };
                 FirstGrids {
                     wanted,
-                    starts: adaptation.guess(wanted),
+                    starts,
                     coarse: wanted,
                     solved: wanted,
                 }
@@ -144,6 +150,7 @@ pub fn solve_periodic(
     let map = options.time_map.given(period)?;
     let system = Arc::new(System::new(model, period)?);
     require_periodic_forces(model, system.scales().length, period)?;
+    require_like_blades(&system)?;
     let limit = MemoryLimit(options.memory_limit);
     limit.require_grid(&system, points)?;
     let samples = Loads::samples(&system, largest);
@@ -152,7 +159,7 @@ pub fn solve_periodic(
         4 * samples.saturating_mul(size_of::<f64>()),
     )?;
     let loads = Loads::of(&system, largest)?;
-    let first = FirstGrids::of(options, &loads);
+    let first = FirstGrids::of(options, &system, &loads);
     let [wanted, of_starts, grid] = [first.wanted, first.starts, first.solved]
         .map(|points| TimeGrid::new(points, period).map(|grid| grid.mapped(map)));
     let (wanted, of_starts, grid) = (wanted?, of_starts?, grid?);
