@@ -7,10 +7,10 @@ use periodyn::model::Model;
 use periodyn::output::Solution;
 use periodyn::solve::*;
 
-fn solve(model: &Model, period: f64, points: usize) -> Solution {
+fn solve(model: &Model, period: f64, points: usize, linear: LinearMethod) -> Solution {
     let options = PeriodicOptions {
         grid_points: GridPoints::Fixed(points),
-        linear: LinearMethod::Direct,
+        linear,
         ..PeriodicOptions::default()
     };
     let solution = Solution::solve(model, period, &options, &mut |_, _| true).unwrap();
@@ -25,24 +25,26 @@ fn solve(model: &Model, period: f64, points: usize) -> Solution {
 
 #[test]
 fn reduced_and_whole_solutions_agree() {
-    for (count, elements, points, hinged) in [
-        (3, 2, 33, false),
-        (3, 2, 33, true),
-        (5, 2, 35, true),
-        (5, 4, 65, true),
-    ] {
-        let rotor = bladed_rotor(count, elements, hinged);
-        let start = std::time::Instant::now();
-        let whole = solve(&rotor.model, rotor.period, points);
-        let middle = start.elapsed();
-        let reduced = solve(&rotor.symmetric(), rotor.period, points);
-        let end = start.elapsed() - middle;
-        let (a, b) = (&whole.details().state, &reduced.details().state);
-        println!(
-            "{count} {hinged}: {:e} {middle:?} {end:?}",
-            a.distance(b, 3.0)
-        );
-        println!("{}", whole.report());
-        println!("{}", reduced.report());
+    for linear in [LinearMethod::Direct, LinearMethod::Automatic] {
+        for (count, elements, points, hinged) in [
+            (3, 2, 33, false),
+            (5, 2, 35, true),
+            (5, 4, 65, true),
+            (5, 8, 35, true),
+        ] {
+            let rotor = bladed_rotor(count, elements, hinged);
+            let start = std::time::Instant::now();
+            let whole = solve(&rotor.model, rotor.period, points, linear);
+            let middle = start.elapsed();
+            let reduced = solve(&rotor.symmetric(), rotor.period, points, linear);
+            let end = start.elapsed() - middle;
+            let (a, b) = (&whole.details().state, &reduced.details().state);
+            println!(
+                "{count} {hinged}: {:e} {middle:?} {end:?}",
+                a.distance(b, 3.0)
+            );
+            println!("{}", whole.report());
+            println!("{}", reduced.report());
+        }
     }
 }

@@ -5,9 +5,10 @@ use super::{ElementRole, System};
 use crate::error::{Error, ErrorKind, Result};
 use crate::model::RotorSymmetry;
 use crate::motion::{Motion, rotation_from_vector};
-use nalgebra::Vector3;
+use nalgebra::{DMatrix, Vector3};
 use std::collections::HashMap;
 use std::f64::consts::TAU;
+use std::sync::OnceLock;
 
 /// How far a node may be from where the blade before it puts it, relative to the size of the model.
 const SAME_PLACE: f64 = 1e-8;
@@ -33,6 +34,9 @@ pub struct Symmetry {
     pub elements: Vec<usize>,
     /// Direction and a point of the axis.
     axis: [Vector3<f64>; 2],
+    /// What carries the own unknowns of each element to its image, scaled, none where they are the
+    /// same; once the elements were seen to be alike, and if all of them are understood.
+    pub(crate) carries_of_own: OnceLock<Option<Vec<Option<DMatrix<f64>>>>>,
 }
 
 impl Symmetry {
@@ -83,6 +87,7 @@ impl Symmetry {
             carries,
             elements,
             axis: [rotor.axis(), rotor.point()],
+            carries_of_own: OnceLock::new(),
         })
     }
 

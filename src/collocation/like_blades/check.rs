@@ -24,28 +24,32 @@ const SAME: f64 = 1e-12;
 /// Turns, and displacements relative to the size of the model, of the motion that is tried.
 const TRIED: f64 = 0.01;
 
-/// Checks that blades are alike, if they are said to be.
+/// Checks that blades are alike, if they are said to be. From then on what is left of them can be
+/// asked for.
 ///
 /// # Errors
 /// If they are not, which says what tells them apart.
 pub fn require_like_blades(system: &Arc<System>) -> Result<()> {
     match system.symmetry() {
-        Some(symmetry) => like_blades(system, symmetry, symmetry.blades).map(drop),
+        Some(symmetry) => {
+            let carries = checked_carries(system, symmetry)?;
+            symmetry.carries_of_own.get_or_init(|| carries);
+            Ok(())
+        }
         None => Ok(()),
     }
 }
 
-/// The unknowns that are left on a grid of so many points; none if not all that acts on them is
+/// What carries the own unknowns of each element to its image; none if not all that acts on them is
 /// understood: laws of the user with internal states of their own.
 ///
 /// # Errors
 /// If what acts on a blade does not act on the next one a `B`-th of the period earlier, or elements
 /// cannot be evaluated.
-pub(super) fn like_blades(
+pub(super) fn checked_carries(
     system: &Arc<System>,
     symmetry: &Symmetry,
-    points: usize,
-) -> Result<Option<LikeBlades>> {
+) -> Result<Option<Vec<Option<DMatrix<f64>>>>> {
     if system.elements().iter().any(|placed| placed.has_feedback) {
         return Ok(None);
     }
@@ -84,7 +88,7 @@ pub(super) fn like_blades(
     }
     tried.make_alike(system, equations.column_scale(), &mut state);
     require_alike(&mut equations, symmetry, &carries, (&state, false))?;
-    Ok(Some(LikeBlades::new(system, symmetry, points, &carries)))
+    Ok(Some(carries))
 }
 
 /// Numbers between −1 and 1 without structure.

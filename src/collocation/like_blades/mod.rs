@@ -3,13 +3,13 @@
 
 mod check;
 
-use check::like_blades;
 pub use check::require_like_blades;
 
 use super::problem::Collocation;
 use super::state::GridState;
+use crate::fourier::TimeGrid;
 use crate::motion::Motion;
-use crate::system::{Layout, Symmetry, System};
+use crate::system::{Layout, Placed, Symmetry, System};
 use nalgebra::{DMatrix, Matrix6, Vector6};
 
 /// What carries differs from nothing by rounding only.
@@ -135,15 +135,22 @@ impl LikeBlades {
     /// Those of equations that are sampled on an even grid of as many points for each blade; none
     /// of others, or if blades are not alike.
     pub fn of(equations: &Collocation) -> Option<Self> {
-        let system = equations.system();
-        let symmetry = system.symmetry()?;
-        let points = equations.grid().points();
         let is_even = equations.rule().over_grid()?.slopes.is_empty();
-        let fits = is_even && points > 1 && points.is_multiple_of(symmetry.blades);
-        if !fits || equations.oversampled().is_some() {
+        let fits = is_even && equations.oversampled().is_none();
+        let left = Self::on(equations.system(), equations.grid());
+        left.filter(|_| fits)
+    }
+
+    /// Those on a grid, likewise.
+    pub fn on(system: &System, grid: TimeGrid) -> Option<Self> {
+        let symmetry = system.symmetry()?;
+        let points = grid.points();
+        let fits = points > 1 && points.is_multiple_of(symmetry.blades);
+        if !fits || !grid.map().is_identity() {
             return None;
         }
-        like_blades(system, symmetry, points).ok().flatten()
+        let carries = symmetry.carries_of_own.get()?.as_ref()?;
+        Some(Self::new(system, symmetry, points, carries))
     }
 
     /// Number of those that are motions: the first.
@@ -261,6 +268,56 @@ impl LikeBlades {
         }
     }
 
+    /// Grid points, from the first on, at which each element matters to what is left.
+    pub fn wanted(&self, system: &System) -> Vec<usize> {
+        let of_element = |(index, placed): (usize, &Placed)| {
+            let of_nodes = placed.element.nodes().iter();
+            let places = of_nodes.map(|&node| self.node_places[node]);
+            let places = places.chain([self.element_places[index]]).flatten();
+            let parts = places.map(|(_, parts)| parts).max();
+            parts.unwrap_or(0) * self.part
+        };
+        system
+            .elements()
+            .iter()
+            .enumerate()
+            .map(of_element)
+            .collect()
+    }
+
+    /// Completes a state of which the first part of the period is known.
+    pub fn complete(&self, system: &System, column_scale: &[f64], state: &mut GridState) {
+        let points = state.points();
+        let first = state.clone();
+        for (node, follower) in self.nodes.iter().enumerate() {
+            let (part, carry) = &follower.parts[0];
+            let back = carry.as_ref().map(|carry| carry.motion.inverse());
+            for k in 0..self.part {
+                let there = first.node(node)[k];
+                let of_leader = back.map_or(there, |back| there.compose(&back));
+                state.motions[follower.leader * points + part * self.part + k] = of_leader;
+            }
+        }
+        let layout = system.layout(points);
+        for (follower, placed) in self.elements.iter().zip(system.elements()) {
+            if placed.element.own_unknowns() == 0 {
+                continue;
+            }
+            let (part, carry) = &follower.parts[0];
+            let leader = &system.elements()[follower.leader];
+            let back = carry.as_ref().and_then(|carry| carry.clone().try_inverse());
+            for k in 0..self.part {
+                let to = part * self.part + k;
+                let here = &column_scale[layout.element_at(placed, k)];
+                let there = &column_scale[layout.element_at(leader, to)];
+                let own = state.own_of_mut(leader, to);
+                carried(back.as_ref(), (first.own_of(placed, k), here), (own, there));
+            }
+        }
+        self.make_alike(system, column_scale, state);
+        state.track_through(system);
+    }
+
     /// Lets all follow their leaders in a state, but for internal states that gain in a period.
     pub fn make_alike(&self, system: &System, column_scale: &[f64], state: &mut GridState) {
         let points = state.points();
@@ -284,27 +341,37 @@ impl LikeBlades {
             }
             let follower = &self.elements[index];
             let leader = &system.elements()[follower.leader];
-            let scale_at = |k: usize| &column_scale[layout.element_at(placed, k)];
             for k in 0..points {
                 let (part, carry) = &follower.parts[k / self.part];
                 let from = part * self.part + k % self.part;
-                let there = leaders.own_of(leader, from);
-                let (scale, of_leader) =
-                    (scale_at(k), &column_scale[layout.element_at(leader, from)]);
-                for (i, x) in state.own_of_mut(placed, k).iter_mut().enumerate() {
-                    *x = match carry {
-                        Some(carry) => {
-                            let scaled = there.iter().zip(of_leader).map(|(x, s)| x / s);
-                            let sum: f64 =
-                                carry.row(i).iter().zip(scaled).map(|(c, x)| c * x).sum();
-                            sum * scale[i]
-                        }
-                        None => there[i],
-                    };
-                }
+                let here = &column_scale[layout.element_at(placed, k)];
+                let there = &column_scale[layout.element_at(leader, from)];
+                let own = state.own_of_mut(placed, k);
+                carried(
+                    carry.as_ref(),
+                    (leaders.own_of(leader, from), there),
+                    (own, here),
+                );
             }
         }
         state.track(system);
+    }
+}
+
+/// Writes own unknowns from others, both with their scales.
+fn carried(
+    carry: Option<&DMatrix<f64>>,
+    (from, of_from): (&[f64], &[f64]),
+    (to, of_to): (&mut [f64], &[f64]),
+) {
+    let Some(carry) = carry else {
+        to.copy_from_slice(from);
+        return;
+    };
+    for (i, (to, scale)) in to.iter_mut().zip(of_to).enumerate() {
+        let scaled = from.iter().zip(of_from).map(|(x, s)| x / s);
+        let sum: f64 = carry.row(i).iter().zip(scaled).map(|(c, x)| c * x).sum();
+        *to = sum * scale;
     }
 }
 

@@ -98,6 +98,8 @@ pub struct Tangent {
     layout: TangentLayout,
     unknowns: Layout,
     points: usize,
+    /// Grid points, from the first on, at which each element is evaluated; all if empty.
+    wanted: Vec<usize>,
     /// `K`, `C` and `M` of coupling `c` at grid point `k`, at `c N + k`.
     pairs: [Vec<Matrix6<f64>>; 3],
     /// Of each element.
@@ -138,12 +140,21 @@ struct Evaluation<'a> {
     rule: &'a dyn TimeRule,
     workers: &'a Workers,
     state: &'a GridState,
+    wanted: &'a [usize],
 }
 
 impl Tangent {
     /// For a system on a grid of so many points.
     pub fn new(system: &System, points: usize) -> Self {
         Self::with(TangentLayout::new(system, false), system.layout(points))
+    }
+
+    /// The same with each element at so many grid points only, from the first on.
+    pub fn at_points(system: &System, points: usize, wanted: Vec<usize>) -> Self {
+        Tangent {
+            wanted,
+            ..Self::new(system, points)
+        }
     }
 
     /// The same with stress resultants apart.
@@ -159,6 +170,7 @@ impl Tangent {
         Tangent {
             unknowns,
             points,
+            wanted: Vec::new(),
             pairs: Default::default(),
             own: vec![OwnTangent::default(); layout.places.len()],
             strains: vec![StrainTangent::default(); points * layout.strains],
@@ -344,6 +356,7 @@ impl Tangent {
             rule: &*equations.rule,
             workers: &division.workers,
             state,
+            wanted: &self.wanted,
         };
         division.workers.try_for_each(
             &mut all,
@@ -354,6 +367,15 @@ impl Tangent {
             },
             |workspace, i, part| layout.evaluate(&at, &division.shares[i], workspace, part),
         )?;
+        // What is left is known only if all of it was evaluated.
+        residual.resize(
+            if self.wanted.is_empty() {
+                residual.len()
+            } else {
+                0
+            },
+            0.0,
+        );
         equations.linearised_residual = residual;
         self.ground(equations);
         Ok(())
@@ -412,7 +434,8 @@ impl TangentLayout {
                 own.gradient_rates.clear();
                 own.own.clear();
             }
-            for k in 0..points {
+            let wanted = at.wanted.get(index).copied().unwrap_or(points);
+            for k in 0..wanted {
                 let out = at.instants.evaluate(placed, k, at.state, workspace)?;
                 for (place, &(coupling, begins)) in self.places[index].couplings.iter().enumerate()
                 {

@@ -38,7 +38,8 @@ impl OfLikeBlades {
     /// For the Jacobians of `equations`.
     pub(crate) fn new(equations: &Collocation, left: LikeBlades, method: LinearMethod) -> Self {
         let system = equations.system();
-        let tangent = Tangent::new(system, equations.grid().points());
+        let wanted = left.wanted(system);
+        let tangent = Tangent::at_points(system, equations.grid().points(), wanted);
         let pattern = LikeBladesPattern::new(system, &tangent, &left);
         let groups = pattern.groups().to_vec();
         let panels = pattern.panels().to_vec();

@@ -94,7 +94,7 @@ impl FirstGrids {
                 let is_large = wanted > LARGE * guess;
                 FirstGrids {
                     wanted,
-                    starts: guess.min(wanted),
+                    starts: system.shared_points(guess.min(wanted), wanted),
                     coarse,
                     solved: if is_large { coarse } else { wanted },
                 }

@@ -1,7 +1,7 @@
 //! The default initial guess: quasi-static equilibrium, followed once around the period
 //! (docs/theory.md, section 9.1).
 
-use crate::collocation::{Conditions, GivenRates, GridState, Steady};
+use crate::collocation::{Collocation, Conditions, GivenRates, GridState, LikeBlades, Steady};
 use crate::error::{ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::solve::newton::Newton;
@@ -268,18 +268,25 @@ pub(crate) fn quasi_static(
     // From the unloaded reference configuration to time zero, then from grid point to grid point.
     let mut complete = tracker.follow(1.0, |fraction| (0.0, fraction))?;
     let parts = LEAST_STEPS.div_ceil(grid.points());
-    for k in 0..grid.points() {
+    // Like blades are where others were before.
+    let alike = LikeBlades::on(system, grid);
+    let points = alike.as_ref().map_or(grid.points(), |left| left.part);
+    for k in 0..points {
         if !complete {
             break;
         }
         state.copy_point(system, k, &tracker.state, 0);
         let interval = grid.intervals(k)[0];
-        for part in 0..if k + 1 < grid.points() { parts } else { 0 } {
+        for part in 0..if k + 1 < points { parts } else { 0 } {
             let start = grid.time(k) + interval * part as f64 / parts as f64;
             let length = interval / parts as f64;
             complete =
                 complete && tracker.follow(1.0, |fraction| (start + fraction * length, 1.0))?;
         }
+    }
+    if let (Some(left), true) = (alike, complete) {
+        let equations = Collocation::new(system.clone(), grid)?;
+        left.complete(system, equations.column_scale(), &mut state);
     }
     let (outcome, explanation) = tracker
         .failure
