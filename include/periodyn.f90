@@ -1466,6 +1466,44 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_turning_frame
         end function pdn_model_turning_frame
 
+        ! Says that the blades of a rotor are alike, in place of what was said before: periodic solves, also under ...
+        function pdn_model_set_rotor_symmetry(model, axis, blades, nodes, count, hub, hub_count, &
+            point) bind(C, name="pdn_model_set_rotor_symmetry")
+            import
+            type(c_ptr), value :: model
+            real(c_double), intent(in) :: axis(*)
+            integer(c_int32_t), value :: blades
+            integer(c_int32_t), intent(in) :: nodes(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t), intent(in), optional :: hub(*)
+            integer(c_size_t), value :: hub_count
+            real(c_double), intent(in), optional :: point(*)
+            integer(c_int32_t) :: pdn_model_set_rotor_symmetry
+        end function pdn_model_set_rotor_symmetry
+
+        ! The rotor whose blades were said to be alike
+        function pdn_model_rotor_symmetry(model, axis, point, blades, nodes_of_blade, &
+            hub_nodes) bind(C, name="pdn_model_rotor_symmetry")
+            import
+            type(c_ptr), value :: model
+            real(c_double), intent(inout) :: axis(*)
+            real(c_double), intent(inout) :: point(*)
+            integer(c_int32_t), intent(inout) :: blades
+            integer(c_int32_t), intent(inout) :: nodes_of_blade
+            integer(c_int32_t), intent(inout) :: hub_nodes
+            integer(c_int32_t) :: pdn_model_rotor_symmetry
+        end function pdn_model_rotor_symmetry
+
+        ! A node of a rotor whose blades were said to be alike
+        function pdn_model_rotor_node(model, blade, index, node) bind(C, name="pdn_model_rotor_node")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: blade
+            integer(c_int32_t), value :: index
+            integer(c_int32_t), intent(inout) :: node
+            integer(c_int32_t) :: pdn_model_rotor_node
+        end function pdn_model_rotor_node
+
         ! Makes a surface that is still to be set
         subroutine pdn_surface_init(surface, struct_size) bind(C, name="pdn_surface_init")
             import

@@ -4748,6 +4748,93 @@ pdn_status pdn_model_turning_frame(const struct pdn_model *model,
                                    double *point);
 
 /**
+ * Says that the blades of a rotor are alike, in place of what was said before: periodic solves,
+ * also under conditions, then solve for one blade, the hub and the supports, and the others
+ * follow.
+ *
+ * The rotor turns once in a period about its axis, in the positive sense. In the reference
+ * configuration each blade is where the one before it gets by a turn of 1/blades; in the motion it
+ * is where that one gets a part 1/blades of the period later, and so are the hub, but for that
+ * turn, and all that does not turn. What acts on the model has to be so: blades with the same
+ * sections, masses, joints and springs, loads and prescribed motions that each blade has a part of
+ * the period before the one before it, a hub that is the same after that turn. Supports, gravity
+ * and wind may be any. A solve refuses what is not alike, and says what tells blades apart.
+ *
+ * Solutions are those of all blades, as without this. They are solved for so where the number of
+ * grid points is a multiple of that of blades, as adaptive solves then choose it, by factors where
+ * these cost less than iteration on all blades does (always with PDN_LINEAR_DIRECT); not
+ * where time is mapped, equations are oversampled or controllers act. Loads and conditions that
+ * parameters make different at the blades are solved for in whole. Nothing else takes notice:
+ * statics, modes, marches, branches and stability are those of the whole model.
+ *
+ * @param model  the model; not NULL
+ * @param axis  array of length 3: direction of the axis, not zero
+ * @param blades  number of blades, odd and at least 3: grids have odd numbers of points
+ * @param nodes  array of length [count]: ids of the nodes of all blades, blade after blade, those
+ *     of each in the same order; all different
+ * @param count  number of nodes, a multiple of blades
+ * @param hub  array of length [hub_count]: ids of other nodes that turn with the blades; may be
+ *     NULL if hub_count is 0
+ * @param hub_count  number of these
+ * @param point  array of length 3: a point of the axis \[length\]; NULL for the origin
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE (no
+ *     direction, or a node twice)
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_set_rotor_symmetry(struct pdn_model *model,
+                                        const double *axis,
+                                        int32_t blades,
+                                        const int32_t *nodes,
+                                        size_t count,
+                                        const int32_t *hub,
+                                        size_t hub_count,
+                                        const double *point);
+
+/**
+ * The rotor whose blades were said to be alike.
+ *
+ * @param model  the model; not NULL
+ * @param axis  array of length 3: direction of the axis, of length 1; written on success only
+ * @param point  array of length 3: a point of the axis \[length\]; written on success only
+ * @param blades  number of blades; written on success only
+ * @param nodes_of_blade  number of nodes of each, for ::pdn_model_rotor_node; written on success
+ *     only
+ * @param hub_nodes  number of nodes of the hub; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_AVAILABLE (nothing was said)
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_rotor_symmetry(const struct pdn_model *model,
+                                    double *axis,
+                                    double *point,
+                                    int32_t *blades,
+                                    int32_t *nodes_of_blade,
+                                    int32_t *hub_nodes);
+
+/**
+ * A node of a rotor whose blades were said to be alike.
+ *
+ * @param model  the model; not NULL
+ * @param blade  which blade, from 0 on; -1 for the hub
+ * @param index  which of its nodes, from 0 on
+ * @param node  the node's id; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_NOT_AVAILABLE (nothing was said)
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_rotor_node(const struct pdn_model *model,
+                                int32_t blade,
+                                int32_t index,
+                                int32_t *node);
+
+/**
  * Makes a surface that is still to be set. Use it as `PDN_INIT(pdn_surface, &surface)`.
  *
  * @param surface  the surface; not NULL

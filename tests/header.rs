@@ -19,6 +19,7 @@ const FILES: &[&str] = &[
     "beam",
     "load",
     "turning_frame",
+    "rotor_symmetry",
     "surface",
     "shell",
     "rigid_edge",

@@ -3,48 +3,240 @@
 mod common;
 
 use common::models::rotors::*;
-use periodyn::model::Model;
-use periodyn::output::Solution;
+use common::*;
+use nalgebra::{Matrix3, Vector3};
+use periodyn::elements::JointKind;
+use periodyn::error::ErrorKind;
+use periodyn::model::{Model, Signal, SignalPart, SignalPlace, Target};
+use periodyn::output::{NodeQuantity, Quantity, Solution};
+use periodyn::quantity::Feature;
 use periodyn::solve::*;
+use std::sync::Arc;
 
-fn solve(model: &Model, period: f64, points: usize, linear: LinearMethod) -> Solution {
-    let options = PeriodicOptions {
-        grid_points: GridPoints::Fixed(points),
-        linear,
-        ..PeriodicOptions::default()
-    };
-    let solution = Solution::solve(model, period, &options, &mut |_, _| true).unwrap();
-    assert_eq!(
-        solution.outcome(),
-        Outcome::Converged,
-        "{}",
-        solution.report()
-    );
+/// Size of the rotors.
+const LENGTH: f64 = 3.0;
+/// Rounding of two ways of elimination, and what the last increment leaves.
+const ROUNDING: f64 = 1e-10;
+
+/// By factors on a given grid.
+fn by_factors(points: usize) -> PeriodicOptions {
+    PeriodicOptions {
+        linear: LinearMethod::Direct,
+        ..options(points)
+    }
+}
+
+fn solve_by(model: &Model, period: f64, options: &PeriodicOptions) -> Solution {
+    let solution = Solution::solve(model, period, options, &mut |_, _| true).unwrap();
+    let report = solution.report();
+    assert_eq!(solution.outcome(), Outcome::Converged, "{report}");
     solution
 }
 
+/// Largest difference of two motions.
+fn difference(one: &Solution, other: &Solution) -> f64 {
+    let (one, other) = (&one.details().state, &other.details().state);
+    one.distance(other, LENGTH)
+}
+
 #[test]
-fn reduced_and_whole_solutions_agree() {
-    for linear in [LinearMethod::Direct, LinearMethod::Automatic] {
-        for (count, elements, points, hinged) in [
-            (3, 2, 33, false),
-            (5, 2, 35, true),
-            (5, 4, 65, true),
-            (5, 8, 35, true),
-        ] {
-            let rotor = bladed_rotor(count, elements, hinged);
-            let start = std::time::Instant::now();
-            let whole = solve(&rotor.model, rotor.period, points, linear);
-            let middle = start.elapsed();
-            let reduced = solve(&rotor.symmetric(), rotor.period, points, linear);
-            let end = start.elapsed() - middle;
-            let (a, b) = (&whole.details().state, &reduced.details().state);
-            println!(
-                "{count} {hinged}: {:e} {middle:?} {end:?}",
-                a.distance(b, 3.0)
-            );
-            println!("{}", whole.report());
-            println!("{}", reduced.report());
+fn rotors_made_at_random_move_as_in_whole() {
+    let mut r = Random::of(&[20, 3]);
+    for case in 0..8 {
+        let kind = RotorKind {
+            speed: r.between(2.0, 7.0),
+            blade: r.decades(0.3, 10.0),
+            tower: [r.decades(0.3, 10.0), r.decades(0.2, 1.0)],
+            wind: r.between(-2.0, 2.0),
+            ..RotorKind::new(r.pick(&[3, 5, 7]), 1, r.percent(50))
+        };
+        let rotor = bladed_rotor(&kind);
+        let points = kind.blades * (30 / kind.blades | 1);
+        let whole = solve_by(&rotor.model, rotor.period, &by_factors(points));
+        let reduced = solve_by(&rotor.symmetric(), rotor.period, &by_factors(points));
+        let off = difference(&whole, &reduced);
+        println!("{case}: {kind:?}: {off:.1e}");
+        assert!(off < ROUNDING, "{case}: {kind:?}: {off:e}");
+        // Constraint forces, too: those of other blades are carried to frames of their own.
+        let forces = |solution: &Solution| {
+            let state = &solution.details().state;
+            let largest = state.multipliers.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+            (state.multipliers.clone(), largest)
+        };
+        let ((whole, largest), (reduced, _)) = (forces(&whole), forces(&reduced));
+        for (a, b) in whole.iter().zip(&reduced) {
+            assert!((a - b).abs() < 1e-8 * largest, "{case}: {a} {b}");
         }
     }
+}
+
+#[test]
+fn convergence_is_quadratic() {
+    let kind = RotorKind {
+        wind: 3.0,
+        blade: 0.3,
+        ..RotorKind::new(3, 2, true)
+    };
+    let rotor = bladed_rotor(&kind);
+    // From far off: blades without their bending.
+    let at_rest = PeriodicOptions {
+        guess: InitialGuess::By(Start::RigidRotation),
+        ..by_factors(21)
+    };
+    let solution = solve_by(&rotor.symmetric(), rotor.period, &at_rest);
+    let iterations = &solution.details().report.iterations;
+    let increments: Vec<f64> = iterations.iter().map(|i| i.increment).collect();
+    println!("{increments:?}");
+    let quadratic = increments.windows(2).filter(|pair| {
+        let [before, after] = [pair[0], pair[1]];
+        before < 0.1 && after < 10.0 * before * before
+    });
+    assert!(quadratic.count() >= 2, "{increments:?}");
+}
+
+#[test]
+fn adaptive_grids_are_multiples_of_the_blades() {
+    let rotor = bladed_rotor(&RotorKind::new(5, 1, false));
+    let adaptive = PeriodicOptions {
+        linear: LinearMethod::Direct,
+        ..PeriodicOptions::default()
+    };
+    let reduced = solve_by(&rotor.symmetric(), rotor.period, &adaptive);
+    let tried = grids_tried(&reduced);
+    println!("{tried:?}");
+    assert!(tried.iter().all(|points| points % 5 == 0), "{tried:?}");
+    let whole = solve_by(
+        &rotor.model,
+        rotor.period,
+        &by_factors(reduced.grid().points()),
+    );
+    assert!(difference(&whole, &reduced) < ROUNDING);
+    // By default, whatever solves.
+    let default = solve_by(
+        &rotor.symmetric(),
+        rotor.period,
+        &PeriodicOptions::default(),
+    );
+    assert!(difference(&default, &reduced) < ROUNDING);
+}
+
+#[test]
+fn multipliers_are_those_of_the_whole() {
+    let rotor = bladed_rotor(&RotorKind::new(3, 1, true));
+    let options = StabilityOptions {
+        highest_frequency: Some(12.0),
+        ..StabilityOptions::default()
+    };
+    let [whole, reduced] = [&rotor.model, &rotor.symmetric()].map(|model| {
+        let solution = solve_by(model, rotor.period, &by_factors(21));
+        solution.solve_stability(&options).unwrap()
+    });
+    assert!(!whole.multipliers.is_empty());
+    assert_eq!(whole.multipliers.len(), reduced.multipliers.len());
+    for one in &whole.multipliers {
+        let near = reduced
+            .multipliers
+            .iter()
+            .map(|m| (m.value - one.value).norm());
+        let near = near.fold(f64::INFINITY, f64::min);
+        assert!(near < 1e-9, "{} {near:e}", one.value);
+    }
+}
+
+#[test]
+fn what_parameters_tell_apart_is_solved_in_whole() {
+    let rotor = bladed_rotor(&RotorKind::new(3, 1, false));
+    let tip = *rotor.blades[0].last().unwrap();
+    // A force on the tip of one blade, which begins at zero, and forces on all of them.
+    for (force, blades) in [(25.0, 1), (-40.0, 3)] {
+        let (mut model, mut loaded) = (rotor.symmetric(), rotor.model.clone());
+        let parameter = model.add_parameter("force", 0.0, 10.0).unwrap();
+        for (j, blade) in rotor.blades[..blades].iter().enumerate() {
+            let at = *blade.last().unwrap();
+            push(&mut model, at, 0, Signal::constant(0.0).unwrap());
+            push(&mut loaded, at, 0, Signal::constant(force).unwrap());
+            // After the one that each blade has.
+            let place = SignalPlace::Load(rotor.blades.len() + j, 0);
+            let target = Target::Signal(place, SignalPart::Mean);
+            model.move_by_parameter(parameter, target, 1.0).unwrap();
+        }
+        let whole = solve_by(&loaded, rotor.period, &by_factors(21));
+        let output = Quantity::Node(tip, NodeQuantity::Position).component(0);
+        let wanted = whole.series(output).unwrap()[0].mean;
+        let condition: Arc<dyn Condition> = Arc::new(OutputIs {
+            output,
+            feature: Feature::Mean,
+            value: wanted,
+            scale: None,
+        });
+        let (free, options) = ([Free::Parameter(parameter)], by_factors(21));
+        let found = solve_for(&model, rotor.period, &free, &[condition], &options);
+        let value = found.model().parameters()[parameter].value;
+        println!("{force}: {value}, {:e}", difference(&whole, &found));
+        assert!(
+            (value - force).abs() < 1e-7 * force.abs(),
+            "{value} of {force}"
+        );
+        assert!(difference(&whole, &found) < ROUNDING);
+    }
+}
+
+#[test]
+fn what_is_not_alike_is_refused() {
+    let rotor = || bladed_rotor(&RotorKind::new(3, 1, false));
+    let refuse = |model: &Model, period: f64, expected: &str| {
+        let options = by_factors(21);
+        let error = Solution::solve(model, period, &options, &mut |_, _| true);
+        let error = error.err().unwrap();
+        println!("{error}");
+        assert_eq!(error.kind(), ErrorKind::Model, "{error}");
+        assert!(error.to_string().contains(expected), "{error}");
+    };
+    let at_tip = |rotor: &BladedRotor, blade: usize| *rotor.blades[blade].last().unwrap();
+
+    // A mass on one tip, a load on one, a spring between two.
+    let mut one = rotor();
+    let (node, inertia) = (at_tip(&one, 1), Matrix3::identity() * 1e-4);
+    one.model
+        .add_mass(node, 0.01, &Vector3::zeros(), &inertia)
+        .unwrap();
+    refuse(&one.symmetric(), one.period, "inertia");
+    let mut one = rotor();
+    let node = at_tip(&one, 2);
+    push(&mut one.model, node, 1, Signal::constant(1e-3).unwrap());
+    refuse(&one.symmetric(), one.period, "load");
+    let mut one = rotor();
+    let ends = [Some(at_tip(&one, 0)), Some(at_tip(&one, 1))];
+    join(
+        &mut one.model,
+        JointKind::Spherical,
+        ends,
+        &Vector3::zeros(),
+        &AXIS,
+    );
+    refuse(&one.symmetric(), one.period, "no like");
+    // A hub that is heavier to one side; what is said to turn, and does not.
+    let mut one = rotor();
+    let unlike = Matrix3::from_diagonal(&Vector3::new(0.0, 0.1, 0.0));
+    one.model
+        .add_mass(one.hub, 0.0, &Vector3::zeros(), &unlike)
+        .unwrap();
+    refuse(&one.symmetric(), one.period, "inertia");
+    // Blades the other way round, or the axis.
+    let mut one = rotor();
+    one.blades.swap(1, 2);
+    refuse(&one.symmetric(), one.period, "follow each other");
+    let one = rotor();
+    let mut model = one.model.clone();
+    let blades: Vec<_> = [0, 2, 1].map(|j| one.blades[j].clone()).to_vec();
+    model
+        .set_rotor_symmetry(&-AXIS, &CENTRE, &[one.hub], &blades)
+        .unwrap();
+    refuse(&model, one.period, "turns about the axis");
+    // Blades without their hub.
+    let mut model = one.model.clone();
+    model
+        .set_rotor_symmetry(&AXIS, &CENTRE, &[], &one.blades)
+        .unwrap();
+    refuse(&model, one.period, "joint");
 }

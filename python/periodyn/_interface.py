@@ -3332,6 +3332,94 @@ class Model(ModelExtras):
         call(lib.pdn_model_turning_frame, self._c, pointer(axis), rate, pointer(point))
         return axis, rate[0], point
 
+    def set_rotor_symmetry(self, axis, blades, nodes, hub=None, point=None):
+        """Says that the blades of a rotor are alike, in place of what was said before: periodic
+        solves, also under conditions, then solve for one blade, the hub and the supports, and
+        the others follow.
+
+        The rotor turns once in a period about its axis, in the positive sense. In the reference
+        configuration each blade is where the one before it gets by a turn of 1/blades; in the
+        motion it is where that one gets a part 1/blades of the period later, and so are the
+        hub, but for that turn, and all that does not turn. What acts on the model has to be so:
+        blades with the same sections, masses, joints and springs, loads and prescribed motions
+        that each blade has a part of the period before the one before it, a hub that is the
+        same after that turn. Supports, gravity and wind may be any. A solve refuses what is not
+        alike, and says what tells blades apart.
+
+        Solutions are those of all blades, as without this. They are solved for so where the
+        number of grid points is a multiple of that of blades, as adaptive solves then choose
+        it, by factors where these cost less than iteration on all blades does (always with
+        LINEAR_DIRECT); not where time is mapped, equations are oversampled or controllers act.
+        Loads and conditions that parameters make different at the blades are solved for in
+        whole. Nothing else takes notice: statics, modes, marches, branches and stability are
+        those of the whole model.
+
+        Args:
+            axis: array of shape (3): direction of the axis, not zero
+            blades: number of blades, odd and at least 3: grids have odd numbers of points
+            nodes: ids of the nodes of all blades, blade after blade, those of each in the same
+                order; all different
+            hub: ids of other nodes that turn with the blades; may be None if hub_count is 0
+            point: array of shape (3): a point of the axis [length]; None for the origin
+        """
+        axis = reals("axis", axis, (3,))
+        nodes = ids("nodes", nodes)
+        _count = len(nodes)
+        hub = ids("hub", hub)
+        _hub_count = len(hub)
+        point = reals("point", point, (3,))
+        call(
+            lib.pdn_model_set_rotor_symmetry,
+            self._c,
+            pointer(axis),
+            blades,
+            ffi.from_buffer("int32_t[]", nodes),
+            _count,
+            ffi.from_buffer("int32_t[]", hub),
+            _hub_count,
+            pointer(point),
+        )
+
+    def rotor_symmetry(self):
+        """The rotor whose blades were said to be alike.
+
+        Returns:
+            axis, of shape (3): direction of the axis, of length 1
+            point, of shape (3): a point of the axis [length]
+            blades: number of blades
+            nodes_of_blade: number of nodes of each, for Model.rotor_node
+            hub_nodes: number of nodes of the hub
+        """
+        axis = reals.empty((3,))
+        point = reals.empty((3,))
+        blades = ffi.new("int32_t *")
+        nodes_of_blade = ffi.new("int32_t *")
+        hub_nodes = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_rotor_symmetry,
+            self._c,
+            pointer(axis),
+            pointer(point),
+            blades,
+            nodes_of_blade,
+            hub_nodes,
+        )
+        return axis, point, blades[0], nodes_of_blade[0], hub_nodes[0]
+
+    def rotor_node(self, blade, index):
+        """A node of a rotor whose blades were said to be alike.
+
+        Args:
+            blade: which blade, from 0 on; -1 for the hub
+            index: which of its nodes, from 0 on
+
+        Returns:
+            node: the node's id
+        """
+        node = ffi.new("int32_t *")
+        call(lib.pdn_model_rotor_node, self._c, blade, index, node)
+        return node[0]
+
     def add_shell_element(self, nodes, n_xi, section, placement=None):
         """Adds a shell element over a grid of nodes that are there.
 

@@ -98,6 +98,7 @@ pub mod periodic;
 pub mod quantity;
 pub mod relation;
 pub mod rigid_edge;
+pub mod rotor_symmetry;
 pub mod section;
 pub mod sensitivity;
 pub mod shell;

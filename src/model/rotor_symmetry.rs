@@ -1,4 +1,4 @@
-//! Blades that are alike: one moves as the one before it did.
+//! Blades that are alike: each moves as the one behind it does later.
 
 use super::Model;
 use super::validation::direction;
@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
 /// A rotor of `B` like blades, which turns once in a period: each blade is where the one before it
-/// was, a `B`-th of the period earlier.
+/// gets a `B`-th of the period later.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RotorSymmetry {
     /// Direction of the axis, of length 1: the rotor turns about it in the positive sense.
@@ -45,9 +45,9 @@ impl RotorSymmetry {
 impl Model {
     /// Says that blades are alike, in place of what was said before: in the reference
     /// configuration blade `j + 1` is blade `j`, turned by `2π/B` about the axis through `point`,
-    /// and in the motion it is where that one was a `B`-th of the period earlier. The nodes of the
-    /// `hub` turn with the blades, all others do not, and are where they were a `B`-th of the
-    /// period earlier. The axis is directed so that the rotor turns about it in the positive sense,
+    /// and in the motion it is where that one gets a `B`-th of the period later. The nodes of the
+    /// `hub` turn with the blades; all others do not, and their motions repeat themselves after a
+    /// `B`-th of the period. The axis is directed so that the rotor turns about it in the positive sense,
     /// once in a period.
     ///
     /// # Errors

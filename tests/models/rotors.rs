@@ -16,8 +16,6 @@ pub struct BladedRotor {
     pub hub: usize,
     /// Nodes of each blade, from root to tip.
     pub blades: Vec<Vec<usize>>,
-    /// Loads at the tip of each blade.
-    pub loads: Vec<usize>,
 }
 
 /// Direction of the rotor's axis, and a point of it.
@@ -34,17 +32,49 @@ impl BladedRotor {
     }
 }
 
+/// What rotors differ by.
+#[derive(Debug, Clone, Copy)]
+pub struct RotorKind {
+    pub blades: usize,
+    /// Beam elements of each blade.
+    pub elements: usize,
+    /// Whether blades flap on hinges with springs, or are fixed to the hub.
+    pub hinged: bool,
+    /// Angular velocity.
+    pub speed: f64,
+    /// Factor of the stiffness of blades.
+    pub blade: f64,
+    /// The same of the tower, and once more in its second direction.
+    pub tower: [f64; 2],
+    /// Factor of the loads on the tips.
+    pub wind: f64,
+}
+
+impl RotorKind {
+    /// One like those of small turbines.
+    pub fn new(blades: usize, elements: usize, hinged: bool) -> Self {
+        RotorKind {
+            blades,
+            elements,
+            hinged,
+            speed: 4.0,
+            blade: 1.0,
+            tower: [1.0, 0.5],
+            wind: 1.0,
+        }
+    }
+}
+
 /// Flexible blades on a driven hub, on a nacelle that yaws against a spring on a tower that is
 /// stiffer one way than the other, in gravity, with loads on the tips that change with their
-/// height; `hinged` ones flap on springs.
-pub fn bladed_rotor(count: usize, elements: usize, hinged: bool) -> BladedRotor {
-    let period = TAU / 4.0;
+/// height.
+pub fn bladed_rotor(kind: &RotorKind) -> BladedRotor {
+    let count = kind.blades;
+    let period = TAU / kind.speed;
     let mut model = Model::new();
-    let section = damped_section(
-        &[4e6, 2e6, 2e6, 2e4, 6e4, 3e4],
-        &[6.0, 0.05, 0.03, 0.02],
-        2e-3,
-    );
+    let [stiff, other] = kind.tower;
+    let stiffness = [4e6, 2e6, 2e6, 2e4, 6e4, 6e4 * other].map(|s| s * stiff);
+    let section = damped_section(&stiffness, &[6.0, 0.05, 0.03, 0.02], 2e-3);
     let top = Vector3::z() * 4.0;
     let tower = model
         .add_straight_beam(&Vector3::zeros(), &top, &Vector3::x(), &section, 1, 4)
@@ -64,22 +94,19 @@ pub fn bladed_rotor(count: usize, elements: usize, hinged: bool) -> BladedRotor 
     let shaft = revolute(&mut model, Some(nacelle), Some(hub), &CENTRE, &AXIS);
     drive(&mut model, shaft, period);
     gravity(&mut model, [0.0, 0.0, -9.81]);
-    let blade_section = damped_section(
-        &[2e6, 8e5, 8e5, 2e3, 1.5e3, 8e3],
-        &[1.2, 2e-3, 5e-4, 1.5e-3],
-        5e-3,
-    );
-    let (mut blades, mut loads) = (Vec::new(), Vec::new());
+    let stiffness = [2e6, 8e5, 8e5, 2e3, 1.5e3, 8e3].map(|s| s * kind.blade);
+    let blade_section = damped_section(&stiffness, &[1.2, 2e-3, 5e-4, 1.5e-3], 5e-3);
+    let mut blades = Vec::new();
     for j in 0..count {
         let phase = TAU * j as f64 / count as f64;
         let turn = Rotation3::new(AXIS * phase);
         let along = turn * Vector3::z();
         let (root, tip) = (CENTRE + along * 0.3, CENTRE + along * 3.0);
         let beam = model
-            .add_straight_beam(&root, &tip, &AXIS, &blade_section, elements, 3)
+            .add_straight_beam(&root, &tip, &AXIS, &blade_section, kind.elements, 3)
             .unwrap();
         let ends = [Some(hub), Some(beam.first_node)];
-        match hinged {
+        match kind.hinged {
             false => {
                 join(&mut model, JointKind::Rigid, ends, &root, &AXIS);
             }
@@ -100,12 +127,11 @@ pub fn bladed_rotor(count: usize, elements: usize, hinged: bool) -> BladedRotor 
             Signal::harmonics(mean, 0.0, &[size * cosine], &[-size * sine]).unwrap()
         };
         let mut components = [(); 6].map(|()| None);
-        components[0] = Some(wave(30.0, 8.0));
-        components[2] = Some(wave(0.0, 3.0));
+        components[0] = Some(wave(30.0 * kind.wind, 8.0 * kind.wind));
+        components[2] = Some(wave(0.0, 3.0 * kind.wind));
         model
             .add_load(beam.last_node, LoadFrame::Space, components)
             .unwrap();
-        loads.push(beam.last_node);
         blades.push((beam.first_node..=beam.last_node).collect());
     }
     BladedRotor {
@@ -113,6 +139,5 @@ pub fn bladed_rotor(count: usize, elements: usize, hinged: bool) -> BladedRotor 
         period,
         hub,
         blades,
-        loads,
     }
 }

@@ -18,7 +18,7 @@ const POINTS: usize = 3;
 /// Differences of forces, relative to these, that are none.
 const ALIKE: f64 = 1e-7;
 /// Forces that small, relative to the largest of all, are none.
-const NOTHING: f64 = 1e-9;
+const NOTHING: f64 = 1e-12;
 /// What carries differs from nothing by rounding only.
 const SAME: f64 = 1e-12;
 /// Turns, and displacements relative to the size of the model, of the motion that is tried.
@@ -44,7 +44,7 @@ pub fn require_like_blades(system: &Arc<System>) -> Result<()> {
 /// understood: laws of the user with internal states of their own.
 ///
 /// # Errors
-/// If what acts on a blade does not act on the next one a `B`-th of the period earlier, or elements
+/// If what acts on the next blade does not act on this one a `B`-th of the period later, or elements
 /// cannot be evaluated.
 pub(super) fn checked_carries(
     system: &Arc<System>,
@@ -89,6 +89,11 @@ pub(super) fn checked_carries(
     tried.make_alike(system, equations.column_scale(), &mut state);
     require_alike(&mut equations, symmetry, &carries, (&state, false))?;
     Ok(Some(carries))
+}
+
+/// So much later a blade is where the next one is.
+fn later(symmetry: &Symmetry) -> String {
+    format!("1/{} of the period later", symmetry.blades)
 }
 
 /// Numbers between −1 and 1 without structure.
@@ -138,8 +143,9 @@ fn carries(
         let refuse = || {
             let (one, other) = (describe_role(placed.role), system.elements()[image].role);
             not_alike(&format!(
-                "{one} constrains other motions than {} does a part of the period earlier",
-                describe_role(other)
+                "{} constrains other motions than {one} does {}",
+                describe_role(other),
+                later(symmetry)
             ))
         };
         let mut found: Option<DMatrix<f64>> = None;
@@ -225,10 +231,37 @@ fn require_alike(
         }
         asked.push(own);
     }
+    let later = later(symmetry);
+    for (index, placed) in system.elements().iter().enumerate() {
+        let image = symmetry.elements[index];
+        let (here, there) = (&asked[image], &asked[index]);
+        for (k, here) in here.iter().enumerate() {
+            let there = &there[(k + part) % points];
+            let here = match &carries[index] {
+                Some(carry) => carry.tr_mul(here),
+                None => here.clone(),
+            };
+            let is_alike = (here - there).amax() <= ALIKE * there.amax().max(1.0);
+            if !is_alike {
+                let (one, other) = (placed.role, system.elements()[image].role);
+                // Such as the drive.
+                let hint = match image == index {
+                    true => {
+                        ": a rotor turns about the axis in the positive sense, once in a period"
+                    }
+                    false => "",
+                };
+                return Err(not_alike(&format!(
+                    "{} does not prescribe what {} does {later}{hint}",
+                    describe_role(other),
+                    describe_role(one)
+                )));
+            }
+        }
+    }
     let all = acting.iter().flat_map(|acting| &acting.forces);
     let largest = all.fold(0.0f64, |most, forces| most.max(forces.amax()));
     let scales = &equations.column_scale()[..6];
-    let earlier = format!("1/{} of the period earlier", symmetry.blades);
     for Acting {
         role,
         nodes,
@@ -254,37 +287,17 @@ fn require_alike(
             // Written so that NaN is refused too.
             let is_alike = off <= ALIKE * there.amax() + NOTHING * largest;
             if !is_alike {
-                let (one, other) = (describe_role(*role), image.map(|i| describe_role(i.role)));
-                return Err(not_alike(&match other {
-                    Some(other) if other != one => format!(
-                        "{other} does not act on nodes {:?} as {one} does on nodes {nodes:?} \
-                         {earlier}",
-                        image.map_or(&[][..], |image| &image.nodes)
+                let one = describe_role(*role);
+                return Err(not_alike(&match image {
+                    Some(image) => format!(
+                        "{} on nodes {:?} does not act as {one} on nodes {nodes:?} does {later}",
+                        describe_role(image.role),
+                        image.nodes
                     ),
-                    Some(_) => format!("{one} does not act on nodes {nodes:?} as {earlier}"),
                     None => format!(
                         "{one} on nodes {nodes:?} has no like on the nodes that follow them"
                     ),
                 }));
-            }
-        }
-    }
-    for (index, placed) in system.elements().iter().enumerate() {
-        let image = symmetry.elements[index];
-        let (here, there) = (&asked[image], &asked[index]);
-        for (k, here) in here.iter().enumerate() {
-            let there = &there[(k + part) % points];
-            let here = match &carries[index] {
-                Some(carry) => carry.tr_mul(here),
-                None => here.clone(),
-            };
-            let is_alike = (here - there).amax() <= ALIKE * there.amax().max(1.0);
-            if !is_alike {
-                let other = describe_role(system.elements()[image].role);
-                return Err(not_alike(&format!(
-                    "{other} does not prescribe what {} does {earlier}",
-                    describe_role(placed.role)
-                )));
             }
         }
     }
