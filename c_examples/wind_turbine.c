@@ -7,10 +7,11 @@
  * lift with the blades' own velocity. Round numbers of the size of the NREL 5-MW reference turbine
  * (Jonkman et al., NREL/TP-500-38060, 2009). Metres, newtons, kilograms, seconds.
  *
- *   wind_turbine [--grid N] [--tolerance E] [--elements E] [--order P] [--march STEPS]
- *                [--out FILE] [--animation FILE.pvd]
+ *   wind_turbine [--grid N] [--tolerance E] [--elements E] [--order P] [--whole 1]
+ *                [--march STEPS] [--out FILE] [--animation FILE.pvd]
  *
- * Solves at 8, 10 and 12 rpm, each speed from the motion at the one before; FILE gets deflections
+ * One blade is solved for, as the others do the same a third of a turn later; all of them with
+ * --whole 1. Solves at 8, 10 and 12 rpm, each speed from the motion at the one before; FILE gets deflections
  * and moments of the last over 721 times. --march checks it by marching. */
 
 #include <math.h>
@@ -18,7 +19,7 @@
 #include "example.h"
 
 enum { BLADES = 3, SAMPLES = 360, TIMES = 721, SPEEDS = 3, PER_TURN = 3 };
-enum { STATIONS = 9, TOWER_STATIONS = 5 };
+enum { STATIONS = 9, TOWER_STATIONS = 5, MOST_NODES = 1000 };
 
 static const double PI = 3.14159265358979323846, RATED = 12.1; /* rpm */
 static const double HEIGHT = 87.6, OVERHANG = 5, HUB_RADIUS = 1.5, LENGTH = 61.5, TILT = 0.0873;
@@ -218,6 +219,27 @@ done:
     return 1;
 }
 
+/* Says that the blades are alike. */
+static int set_symmetry(turbine *e)
+{
+    int32_t nodes[MOST_NODES];
+    size_t count = 0;
+    for (int i = 0; i < BLADES; ++i) {
+        for (int32_t node = e->blades[i].first; node <= e->blades[i].last; ++node) {
+            if (count == MOST_NODES) {
+                fprintf(stderr, "no more than %d nodes of blades\n", MOST_NODES);
+                goto done;
+            }
+            nodes[count++] = node;
+        }
+    }
+    TRY(pdn_model_set_rotor_symmetry(e->model, e->axis, BLADES, nodes, count, &e->hub, 1,
+                                     e->centre));
+    return 0;
+done:
+    return 1;
+}
+
 static int build(turbine *e, double speed, size_t elements, size_t order)
 {
     const double gravity[3] = {0, 0, -9.81}, s = sin(TILT), c = cos(TILT);
@@ -312,9 +334,10 @@ done:
 
 int main(int argc, char **argv)
 {
-    check_options(argc, argv, "--grid --tolerance --elements --order --march --out --animation");
+    check_options(argc, argv, "--grid --tolerance --elements --order --whole --march --out --animation");
     const size_t elements = option_count(argc, argv, "--elements", 8);
     const size_t order = option_count(argc, argv, "--order", 3);
+    const int whole = option_number(argc, argv, "--whole", 0) != 0;
     const size_t steps = (size_t)option_number(argc, argv, "--march", 0);
     const char *animation = option_text(argc, argv, "--animation", NULL);
     FILE *file = open_out(argc, argv);
@@ -333,7 +356,8 @@ int main(int argc, char **argv)
            "top [m]        3  flap [kN m]     1  torque [kN m]\n");
     for (int i = 0; i < SPEEDS; ++i) {
         const double speed = rpm[i] * PI / 30, period = 2 * PI / speed;
-        if (build(&turbines[i], speed, elements, order) != 0) {
+        if (build(&turbines[i], speed, elements, order) != 0 ||
+            (!whole && set_symmetry(&turbines[i]) != 0)) {
             goto done;
         }
         options.initial = i > 0 ? solutions[i - 1] : NULL;

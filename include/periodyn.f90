@@ -1475,7 +1475,7 @@ module periodyn_c
             integer(c_int32_t), value :: blades
             integer(c_int32_t), intent(in) :: nodes(*)
             integer(c_size_t), value :: count
-            integer(c_int32_t), intent(in), optional :: hub(*)
+            integer(c_int32_t), intent(in) :: hub(*)
             integer(c_size_t), value :: hub_count
             real(c_double), intent(in), optional :: point(*)
             integer(c_int32_t) :: pdn_model_set_rotor_symmetry
@@ -3907,6 +3907,9 @@ module periodyn
         procedure, public :: add_load_at_places => model_add_load_at_places
         procedure, public :: set_turning_frame => model_set_turning_frame
         procedure, public :: turning_frame => model_turning_frame
+        procedure, public :: set_rotor_symmetry => model_set_rotor_symmetry
+        procedure, public :: rotor_symmetry => model_rotor_symmetry
+        procedure, public :: rotor_node => model_rotor_node
         procedure, public :: set_gravity => model_set_gravity
         procedure, public :: set_gravity_signals => model_set_gravity_signals
         procedure, public :: add_spring_damper => model_add_spring_damper
@@ -5558,6 +5561,43 @@ contains
 
         call report(pdn_model_turning_frame(self%c, axis, rate, point), stat, errmsg)
     end subroutine model_turning_frame
+
+    ! Says that so many blades are alike, with their nodes blade after blade; a hub turns with them
+    ! about an axis through a point, or the origin.
+    subroutine model_set_rotor_symmetry(self, axis, blades, nodes, hub, point, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        real(c_double), intent(in) :: axis(3)
+        integer(c_int32_t), intent(in) :: blades, nodes(:), hub(:)
+        real(c_double), intent(in), optional :: point(3)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_set_rotor_symmetry(self%c, axis, blades, nodes, size(nodes, kind=c_size_t), &
+            hub, size(hub, kind=c_size_t), point), stat, errmsg)
+    end subroutine model_set_rotor_symmetry
+
+    ! The rotor whose blades were said to be alike; else an error.
+    subroutine model_rotor_symmetry(self, axis, point, blades, nodes_of_blade, hub_nodes, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        real(c_double), intent(inout) :: axis(3), point(3)
+        integer(c_int32_t), intent(inout) :: blades, nodes_of_blade, hub_nodes
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_rotor_symmetry(self%c, axis, point, blades, nodes_of_blade, hub_nodes), &
+            stat, errmsg)
+    end subroutine model_rotor_symmetry
+
+    ! A node of a blade, or of the hub, which is blade -1, of that rotor.
+    subroutine model_rotor_node(self, blade, index, node, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: blade, index
+        integer(c_int32_t), intent(inout) :: node
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_rotor_node(self%c, blade, index, node), stat, errmsg)
+    end subroutine model_rotor_node
 
     subroutine model_set_gravity(self, acceleration, stat, errmsg)
         class(pdn_model), intent(inout) :: self

@@ -1191,6 +1191,15 @@ struct TurningFrame {
     Vector3 point;
 };
 
+/** A rotor whose blades are alike: an axis of length 1, a point of it, numbers of nodes. */
+struct RotorSymmetry {
+    Vector3 axis;
+    Vector3 point;
+    std::int32_t blades;
+    std::int32_t nodes_of_blade;
+    std::int32_t hub_nodes;
+};
+
 /** A mechanism, described in its reference configuration. Functions that add return ids. */
 class Model
 {
@@ -1764,6 +1773,31 @@ class Model
         detail::check(pdn_model_turning_frame(get(), frame.axis.data(), &frame.rate,
                                               frame.point.data()));
         return frame;
+    }
+    /** Says that `blades` blades are alike, with their nodes blade after blade; a `hub` turns with
+     * them about an axis through `point`. */
+    void set_rotor_symmetry(const Vector3 &axis, std::int32_t blades, Ids nodes, Ids hub,
+                            const Vector3 &point = {0, 0, 0})
+    {
+        detail::check(pdn_model_set_rotor_symmetry(get(), axis.data(), blades, nodes.data(),
+                                                   nodes.size(), hub.data(), hub.size(),
+                                                   point.data()));
+    }
+    /** The rotor whose blades were said to be alike; else an Error. */
+    RotorSymmetry rotor_symmetry() const
+    {
+        RotorSymmetry rotor{};
+        detail::check(pdn_model_rotor_symmetry(get(), rotor.axis.data(), rotor.point.data(),
+                                               &rotor.blades, &rotor.nodes_of_blade,
+                                               &rotor.hub_nodes));
+        return rotor;
+    }
+    /** A node of a blade, or of the hub, which is blade -1, of that rotor. */
+    Id rotor_node(Id blade, Id index) const
+    {
+        Id node{};
+        detail::check(pdn_model_rotor_node(get(), blade, index, &node));
+        return node;
     }
     void set_gravity(const Vector3 &acceleration)
     {

@@ -3332,7 +3332,7 @@ class Model(ModelExtras):
         call(lib.pdn_model_turning_frame, self._c, pointer(axis), rate, pointer(point))
         return axis, rate[0], point
 
-    def set_rotor_symmetry(self, axis, blades, nodes, hub=None, point=None):
+    def set_rotor_symmetry(self, axis, blades, nodes, hub, point=None):
         """Says that the blades of a rotor are alike, in place of what was said before: periodic
         solves, also under conditions, then solve for one blade, the hub and the supports, and
         the others follow.
@@ -3343,7 +3343,7 @@ class Model(ModelExtras):
         hub, but for that turn, and all that does not turn. What acts on the model has to be so:
         blades with the same sections, masses, joints and springs, loads and prescribed motions
         that each blade has a part of the period before the one before it, a hub that is the
-        same after that turn. Supports, gravity and wind may be any. A solve refuses what is not
+        same after that turn. Supports and gravity may be any. A solve refuses what is not
         alike, and says what tells blades apart.
 
         Solutions are those of all blades, as without this. They are solved for so where the
@@ -3359,7 +3359,7 @@ class Model(ModelExtras):
             blades: number of blades, odd and at least 3: grids have odd numbers of points
             nodes: ids of the nodes of all blades, blade after blade, those of each in the same
                 order; all different
-            hub: ids of other nodes that turn with the blades; may be None if hub_count is 0
+            hub: ids of the nodes of the hub, and of whatever else turns with the blades
             point: array of shape (3): a point of the axis [length]; None for the origin
         """
         axis = reals("axis", axis, (3,))

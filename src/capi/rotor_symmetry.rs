@@ -15,8 +15,8 @@ use nalgebra::Vector3;
 /// is where that one gets a part 1/blades of the period later, and so are the hub, but for that
 /// turn, and all that does not turn. What acts on the model has to be so: blades with the same
 /// sections, masses, joints and springs, loads and prescribed motions that each blade has a part of
-/// the period before the one before it, a hub that is the same after that turn. Supports, gravity
-/// and wind may be any. A solve refuses what is not alike, and says what tells blades apart.
+/// the period before the one before it, a hub that is the same after that turn. Supports and
+/// gravity may be any. A solve refuses what is not alike, and says what tells blades apart.
 ///
 /// Solutions are those of all blades, as without this. They are solved for so where the number of
 /// grid points is a multiple of that of blades, as adaptive solves then choose it, by factors where
@@ -31,9 +31,9 @@ use nalgebra::Vector3;
 /// @param nodes  array of length [count]: ids of the nodes of all blades, blade after blade, those
 ///     of each in the same order; all different
 /// @param count  number of nodes, a multiple of blades
-/// @param hub  array of length [hub_count]: ids of other nodes that turn with the blades; may be
-///     NULL if hub_count is 0
-/// @param hub_count  number of these
+/// @param hub  array of length [hub_count]: ids of the nodes of the hub, and of whatever else turns
+///     with the blades
+/// @param hub_count  number of these, maybe 0
 /// @param point  array of length 3: a point of the axis \[length\]; NULL for the origin
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE (no
 ///     direction, or a node twice)
