@@ -115,7 +115,10 @@ static int add_head(turbine *e, double speed)
 {
     const double top[3] = {0, 0, HEIGHT}, nacelle_centre[3] = {1.9, 0, HEIGHT + 1.75};
     const double nacelle_inertia[9] = {8e5, 0, 0, 0, 2.6e6, 0, 0, 0, 2.6e6};
-    const double hub_inertia[9] = {1.16e5, 0, 0, 0, 1e5, 0, 0, 0, 1e5};
+    double hub_inertia[9]; /* 1.16e5 about the shaft, 1e5 across it */
+    for (int k = 0; k < 9; ++k) {
+        hub_inertia[k] = (k % 4 == 0 ? 1e5 : 0) + 0.16e5 * e->axis[k % 3] * e->axis[k / 3];
+    }
     int32_t nacelle, yaw;
     pdn_signal turn;
     PDN_INIT(pdn_signal, &turn);

@@ -289,6 +289,9 @@ fn require_alike(
             if !is_alike {
                 let one = describe_role(*role);
                 return Err(not_alike(&match image {
+                    Some(image) if image.nodes == *nodes => {
+                        format!("{one} on nodes {nodes:?} does not act as it does {later}")
+                    }
                     Some(image) => format!(
                         "{} on nodes {:?} does not act as {one} on nodes {nodes:?} does {later}",
                         describe_role(image.role),
