@@ -1,4 +1,5 @@
-//! An element as a part of a mechanism has it, whose nodes have other numbers there.
+//! An element as a part of a mechanism has it: its nodes have other numbers there, and it may count
+//! for a share only.
 
 use super::{
     Contribution, Controller, Element, Instant, Measure, NodeState, OutputVariation, StressLaw,
@@ -13,12 +14,24 @@ use std::sync::Arc;
 pub struct Renumbered {
     element: Arc<dyn Element>,
     nodes: Vec<usize>,
+    /// Part of its forces, and of the equations of internal states, that counts. Constraints are
+    /// what they are, and their multipliers those of the whole.
+    share: f64,
 }
 
 impl Renumbered {
     /// `element` on these nodes, in its own order.
     pub fn new(element: Arc<dyn Element>, nodes: Vec<usize>) -> Self {
-        Renumbered { element, nodes }
+        Renumbered {
+            element,
+            nodes,
+            share: 1.0,
+        }
+    }
+
+    /// The same, for a share only.
+    pub fn with_share(self, share: f64) -> Self {
+        Renumbered { share, ..self }
     }
 }
 
@@ -52,7 +65,20 @@ impl Element for Renumbered {
     }
 
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
-        self.element.evaluate(instant, out)
+        self.element.evaluate(instant, out)?;
+        if self.share != 1.0 {
+            out.force *= self.share;
+            out.stiffness *= self.share;
+            out.damping *= self.share;
+            out.mass *= self.share;
+            if self.has_states() {
+                out.constraint *= self.share;
+                out.gradient *= self.share;
+                out.own *= self.share;
+                out.own_rate *= self.share;
+            }
+        }
+        Ok(())
     }
 
     fn potential(&self, instant: &Instant, scratch: &mut Contribution) -> Result<Option<f64>> {
@@ -81,7 +107,16 @@ impl Element for Renumbered {
     }
 
     fn stress_laws(&self) -> Vec<StressLaw> {
-        self.element.stress_laws()
+        let mut laws = self.element.stress_laws();
+        for law in &mut laws {
+            law.stiffness *= self.share;
+            law.damping *= self.share;
+            for other in &mut law.others {
+                other.stiffness *= self.share;
+                other.damping *= self.share;
+            }
+        }
+        laws
     }
 
     fn stress_resultants(

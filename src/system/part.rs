@@ -15,6 +15,16 @@ impl System {
     /// joints and tracked coordinates are those of the whole; coordinates of joints whose nodes are
     /// not all there keep their values.
     pub(crate) fn part(&self, nodes: &[usize], elements: &[usize]) -> System {
+        self.part_of_shares(nodes, elements, |_| 1.0)
+    }
+
+    /// The same where elements count for a share of them.
+    pub(crate) fn part_of_shares(
+        &self,
+        nodes: &[usize],
+        elements: &[usize],
+        share: impl Fn(usize) -> f64,
+    ) -> System {
         let place = |node: usize| nodes.binary_search(&node).ok();
         let mut part = System {
             regime: self.regime,
@@ -47,7 +57,7 @@ impl System {
             let placed = &self.elements[index];
             let nodes = placed.element.nodes().iter();
             let nodes = nodes.filter_map(|&node| place(node)).collect();
-            let element = Renumbered::new(placed.element.clone(), nodes);
+            let element = Renumbered::new(placed.element.clone(), nodes).with_share(share(index));
             part.place(Arc::new(element), placed.role);
         }
         part

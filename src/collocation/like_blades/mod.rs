@@ -2,8 +2,10 @@
 //! blade over the period, and of hub and supports over the `B`-th part of it.
 
 mod check;
+mod one;
 
 pub use check::require_like_blades;
+pub use one::{AlikeMotions, OneBlade};
 
 use super::problem::Collocation;
 use super::state::GridState;

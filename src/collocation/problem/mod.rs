@@ -13,6 +13,7 @@ pub use scalars::ScalarEquations;
 
 use super::division::Division;
 use super::instants::Instants;
+use super::like_blades::AlikeMotions;
 use super::rule::{TimeRule, over};
 use super::state::GridState;
 use crate::elements::{InertialForces, Measure, NodeState, Unknown};
@@ -51,6 +52,8 @@ pub struct Collocation {
     pub(super) regularisation: f64,
     /// Stiffness of all nodes against the ground in the scaled Jacobian.
     grounding: f64,
+    /// Of one blade of several: how the rest has to move.
+    alike: Option<AlikeMotions>,
     workers: Workers,
     layout: Layout,
     scalars: Option<Arc<dyn ScalarEquations>>,
@@ -155,6 +158,7 @@ impl Collocation {
             scalars: None,
             applied: Vec::new(),
             grounding: 0.0,
+            alike: None,
             system,
             grid,
             workers: Workers::default(),
@@ -175,6 +179,24 @@ impl Collocation {
         }
         self.division = Division::new(&self.system, self.grid.points(), &workers);
         self.workers = workers;
+    }
+
+    /// Lets some nodes move alike only.
+    pub(super) fn set_alike(&mut self, alike: AlikeMotions) {
+        self.alike = Some(alike);
+    }
+
+    /// How the nodes of hub and supports have to move, if these are equations of one blade.
+    pub fn alike(&self) -> Option<&AlikeMotions> {
+        self.alike.as_ref()
+    }
+
+    /// Takes from the forces on nodes what does no work on motions that are alike, if they have to
+    /// be.
+    pub fn average(&self, forces: &mut [f64]) {
+        if let Some(alike) = &self.alike {
+            alike.average(self.layout, forces);
+        }
     }
 
     /// The threads that share work.

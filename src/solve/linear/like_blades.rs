@@ -1,17 +1,22 @@
-//! Newton's equations of a rotor of like blades, by factors of those that are left of one blade,
-//! hub and supports (docs/theory.md, section 9.6).
+//! Newton's equations of a rotor of like blades, by those that are left of one blade, hub and
+//! supports (docs/theory.md, section 9.6): by factors, or by iteration.
 //!
 //! Right sides that are not alike at all blades, as a load on one of them makes, are not left out:
 //! they are solved for with the whole Jacobian.
 
-use crate::collocation::{Collocation, GridState, LikeBlades, LikeBladesPattern, Tangent};
+use crate::collocation::{
+    Collocation, GridState, LikeBlades, LikeBladesPattern, OneBlade, Tangent,
+};
 use crate::error::Result;
 use crate::solve::linear::dense::{largest, probe};
 use crate::solve::linear::diagnosis::Singularity;
 use crate::solve::linear::direct::DirectSolver;
+use crate::solve::linear::iterative::{Iterative, IterativeRecord, Preconditioner};
 use crate::solve::linear::method::{DirectCost, Linear, LinearMethod};
-use crate::solve::linear::solver::LinearSolver;
+use crate::solve::linear::solver::{ESTIMATE, LinearSolver};
 use crate::solve::report::{Timings, timed};
+use crate::system::System;
+use std::sync::Arc;
 
 /// Right sides that differ by less, relative to them, are alike.
 const ALIKE: f64 = 1e-6;
@@ -20,46 +25,184 @@ const ALIKE: f64 = 1e-6;
 const LITTLE: f64 = 0.5;
 const ROUNDING: f64 = 1e-9;
 
+/// What solves the equations that are left.
+enum By {
+    /// Factors of their Jacobian.
+    Factors(Box<Factors>),
+    /// Iteration on those of one blade over the whole period.
+    Iteration(Box<Iteration>),
+}
+
 /// The Jacobian of what is left, and its factors.
-pub(crate) struct OfLikeBlades {
-    left: LikeBlades,
+struct Factors {
     tangent: Tangent,
     pattern: LikeBladesPattern,
     values: Vec<f64>,
     solver: DirectSolver,
+}
+
+/// One blade, and what iterates on its equations.
+struct Iteration {
+    /// Of the whole.
+    system: Arc<System>,
+    blade: OneBlade,
+    iterative: Iterative,
+}
+
+/// Newton's equations by those that are left.
+pub(crate) struct OfLikeBlades {
+    left: LikeBlades,
+    by: By,
     /// Where the equations were linearised last.
     last: Option<GridState>,
     /// How equations are solved that are not alike at all blades, and what did so there.
     method: LinearMethod,
     whole: Option<Box<Linear>>,
+    /// Whether what is left could not be solved, so that all are.
+    gave_up: bool,
 }
 
-impl OfLikeBlades {
-    /// For the Jacobians of `equations`.
-    pub(crate) fn new(equations: &Collocation, left: LikeBlades, method: LinearMethod) -> Self {
+impl Factors {
+    fn new(equations: &Collocation, left: &LikeBlades) -> Self {
         let system = equations.system();
-        let wanted = left.wanted(system);
-        let tangent = Tangent::at_points(system, equations.grid().points(), wanted);
-        let pattern = LikeBladesPattern::new(system, &tangent, &left);
+        let tangent = Tangent::at_points(system, equations.grid().points(), left.wanted(system));
+        let pattern = LikeBladesPattern::new(system, &tangent, left);
         let groups = pattern.groups().to_vec();
         let panels = pattern.panels().to_vec();
         let mut solver = DirectSolver::of_panels(groups, pattern.node_groups(), panels);
         solver.set_workers(equations.workers().clone());
-        OfLikeBlades {
-            left,
+        Factors {
             tangent,
             values: Vec::new(),
             solver,
             pattern,
-            last: None,
-            method,
-            whole: None,
         }
     }
 
-    /// What factors of what is left take, as planned.
-    pub(crate) fn cost(&self) -> DirectCost {
-        self.solver.cost()
+    fn linearise(
+        &mut self,
+        equations: &mut Collocation,
+        left: &LikeBlades,
+        state: &GridState,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        timed(&mut timings.assembly, || {
+            self.values.resize(self.pattern.entries(), 0.0);
+            self.tangent.evaluate(equations, state)?;
+            let pattern = &self.pattern;
+            (self.tangent).assemble_like_blades(equations, left, pattern, &mut self.values)
+        })?;
+        timed(&mut timings.factorisation, || {
+            self.solver.factor(&self.values)
+        })
+    }
+}
+
+impl Iteration {
+    fn new(equations: &Collocation, left: &LikeBlades) -> Option<Self> {
+        let system = equations.system().clone();
+        let blade = OneBlade::of(equations, system.symmetry()?, left).ok()??;
+        let iterative = Iterative::new(&blade.equations, Some(Preconditioner::BodyCirculant));
+        Some(Iteration {
+            system,
+            blade,
+            iterative,
+        })
+    }
+
+    /// Linearises at a state of the whole. `false` if that is singular, or nearly so.
+    fn linearise(
+        &mut self,
+        equations: &Collocation,
+        left: &LikeBlades,
+        state: &GridState,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        // Parameters may have made other elements.
+        if !Arc::ptr_eq(&self.system, equations.system()) {
+            let Some(next) = Self::new(equations, left) else {
+                return Ok(false);
+            };
+            *self = next;
+        }
+        let Iteration {
+            system,
+            blade,
+            iterative,
+        } = self;
+        blade.follow(equations)?;
+        let own = blade.state(system, state);
+        let done = iterative.linearise(&mut blade.equations, &own, timings)?;
+        Ok(done && iterative.growth(&mut blade.equations) <= iterative.suspect)
+    }
+
+    /// Solves in place for the unknowns that are left.
+    fn solve(
+        &mut self,
+        left: &LikeBlades,
+        x: &mut [f64],
+        accuracy: f64,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        let Iteration {
+            blade, iterative, ..
+        } = self;
+        let mut own = blade.rows(left, x);
+        let solved = iterative.solve(&mut blade.equations, &mut own, accuracy, timings)?;
+        if solved {
+            blade.unknowns(left, &own, x);
+        }
+        Ok(solved)
+    }
+}
+
+impl OfLikeBlades {
+    /// By factors.
+    pub(crate) fn by_factors(
+        equations: &Collocation,
+        left: LikeBlades,
+        method: LinearMethod,
+    ) -> Self {
+        let factors = Factors::new(equations, &left);
+        Self::by(By::Factors(Box::new(factors)), left, method)
+    }
+
+    /// By iteration; none if an element acts on two blades.
+    pub(crate) fn by_iteration(
+        equations: &Collocation,
+        left: LikeBlades,
+        method: LinearMethod,
+    ) -> Option<Self> {
+        let iteration = Iteration::new(equations, &left)?;
+        Some(Self::by(By::Iteration(Box::new(iteration)), left, method))
+    }
+
+    fn by(by: By, left: LikeBlades, method: LinearMethod) -> Self {
+        OfLikeBlades {
+            left,
+            by,
+            last: None,
+            method,
+            whole: None,
+            gave_up: false,
+        }
+    }
+
+    /// What factors take, as planned; none of iteration.
+    pub(crate) fn cost(&self) -> Option<DirectCost> {
+        match &self.by {
+            By::Factors(factors) => Some(factors.solver.cost()),
+            By::Iteration(_) => None,
+        }
+    }
+
+    /// What iteration took.
+    pub(crate) fn record(&self) -> Option<&IterativeRecord> {
+        match (&self.by, &self.whole) {
+            (By::Iteration(iteration), _) => Some(&iteration.iterative.record),
+            (By::Factors(_), Some(whole)) => whole.record(),
+            (By::Factors(_), None) => None,
+        }
     }
 
     /// Solves with the whole Jacobian.
@@ -85,31 +228,40 @@ impl OfLikeBlades {
         solve(whole, equations, timings)
     }
 
-    /// Solves what is left in place. None if the right side is not alike at all blades; `false` if
-    /// it cannot be solved.
+    /// Solves in place for the unknowns that are left.
+    fn solve_for(&mut self, x: &mut [f64], accuracy: f64, timings: &mut Timings) -> Result<bool> {
+        match &mut self.by {
+            By::Iteration(iteration) => iteration.solve(&self.left, x, accuracy, timings),
+            By::Factors(factors) => timed(&mut timings.substitution, || {
+                let motions = self.left.motions();
+                let Factors { solver, values, .. } = &mut **factors;
+                solver.solve_refined(values, x, (motions, accuracy))
+            }),
+        }
+    }
+
+    /// Solves what is left. None if the right side is not alike at all blades; `false` if it cannot
+    /// be solved.
     fn solve_left(
         &mut self,
         equations: &Collocation,
         rhs: &mut [f64],
         accuracy: f64,
+        timings: &mut Timings,
     ) -> Result<Option<bool>> {
         let (system, layout) = (equations.system(), equations.layout());
         let mut x = self.left.gathered(system, layout, rhs);
         let mut apart = self.left.disparity(system, layout, rhs);
-        let motions = self.left.motions();
         let is_apart = largest(&apart) > ALIKE * largest(&x);
-        let mut solve = |x: &mut [f64]| {
-            self.solver
-                .solve_refined(&self.values, x, (motions, accuracy))
-        };
-        if !solve(&mut x)? {
+        if !self.solve_for(&mut x, accuracy, timings)? {
             return Ok(Some(false));
         }
         if is_apart {
             // What it takes to move the leaders by as much tells whether it matters.
-            if !solve(&mut apart)? {
+            if !self.solve_for(&mut apart, accuracy.max(ESTIMATE), timings)? {
                 return Ok(Some(false));
             }
+            let motions = self.left.motions();
             let little = LITTLE * largest(&x[..motions]) + ROUNDING;
             // Written so that NaN is not little.
             let is_little = largest(&apart[..motions]) <= little;
@@ -136,15 +288,27 @@ impl LinearSolver for OfLikeBlades {
     ) -> Result<bool> {
         self.whole = None;
         self.last = Some(state.clone());
-        timed(&mut timings.assembly, || {
-            self.values.resize(self.pattern.entries(), 0.0);
-            self.tangent.evaluate(equations, state)?;
-            let (left, pattern) = (&self.left, &self.pattern);
-            (self.tangent).assemble_like_blades(equations, left, pattern, &mut self.values)
-        })?;
-        timed(&mut timings.factorisation, || {
-            self.solver.factor(&self.values)
-        })
+        let done = match &mut self.by {
+            By::Factors(factors) => {
+                return factors.linearise(equations, &self.left, state, timings);
+            }
+            // Its share of what is added, or of compliance, is not that of the whole.
+            By::Iteration(_) if equations.grounding() != 0.0 || equations.is_regularised() => false,
+            By::Iteration(_) if self.gave_up => false,
+            By::Iteration(iteration) => {
+                iteration.linearise(equations, &self.left, state, timings)?
+            }
+        };
+        if done {
+            // Of the whole, what is left is not known yet.
+            equations.forget_linearised_residual();
+            return Ok(true);
+        }
+        self.gave_up = true;
+        let mut whole = Box::new(Linear::new(equations, self.method));
+        let done = whole.linearise(equations, state, timings)?;
+        self.whole = Some(whole);
+        Ok(done)
     }
 
     fn solve(
@@ -154,19 +318,26 @@ impl LinearSolver for OfLikeBlades {
         accuracy: f64,
         timings: &mut Timings,
     ) -> Result<bool> {
-        let solved = timed(&mut timings.substitution, || {
-            self.solve_left(equations, rhs, accuracy)
-        })?;
-        match solved {
-            Some(solved) => Ok(solved),
-            None => self.solve_whole(equations, timings, |whole, equations, timings| {
-                whole.solve(equations, rhs, accuracy, timings)
-            }),
+        if !self.gave_up {
+            let solved = self.solve_left(equations, rhs, accuracy, timings)?;
+            if solved == Some(true) {
+                return Ok(true);
+            }
+            self.gave_up |= solved == Some(false) && matches!(self.by, By::Iteration(_));
+            if solved == Some(false) && !self.gave_up {
+                return Ok(false);
+            }
         }
+        self.solve_whole(equations, timings, |whole, equations, timings| {
+            whole.solve(equations, rhs, accuracy, timings)
+        })
     }
 
     fn error_of(&self, accuracy: f64) -> f64 {
-        self.solver.error().min(accuracy)
+        match (&self.by, &self.whole) {
+            (By::Factors(factors), None) => factors.solver.error().min(accuracy),
+            _ => accuracy,
+        }
     }
 
     fn solve_transposed(
@@ -182,14 +353,37 @@ impl LinearSolver for OfLikeBlades {
     }
 
     fn release(&mut self) {
-        self.whole = None;
+        if let By::Iteration(iteration) = &mut self.by {
+            iteration.iterative.release();
+        }
+        if !self.gave_up {
+            self.whole = None;
+        }
     }
 
-    fn growth(&mut self, _: &mut Collocation) -> f64 {
-        let mut probe = probe(self.left.size());
-        match self.solver.solve(&mut probe) {
-            true => largest(&probe) * largest(&self.values),
-            false => f64::INFINITY,
+    fn growth(&mut self, equations: &mut Collocation) -> f64 {
+        match (&mut self.by, &mut self.whole) {
+            (_, Some(whole)) if self.gave_up => whole.growth(equations),
+            (By::Iteration(iteration), _) => {
+                let Iteration {
+                    blade, iterative, ..
+                } = &mut **iteration;
+                iterative.growth(&mut blade.equations)
+            }
+            (By::Factors(factors), _) => {
+                let mut probe = probe(self.left.size());
+                match factors.solver.solve(&mut probe) {
+                    true => largest(&probe) * largest(&factors.values),
+                    false => f64::INFINITY,
+                }
+            }
+        }
+    }
+
+    fn is_resisted(&mut self, equations: &mut Collocation) -> bool {
+        match &mut self.whole {
+            Some(whole) if self.gave_up => whole.is_resisted(equations),
+            _ => false,
         }
     }
 

@@ -61,6 +61,12 @@ pub struct DirectCost {
 }
 
 impl DirectCost {
+    /// Of nothing.
+    const NONE: Self = DirectCost {
+        work: 0.0,
+        bytes: 0.0,
+    };
+
     /// Of the Jacobian of a system on a grid of so many points.
     pub fn of(system: &System, points: usize) -> Self {
         let nodes = system.nodes();
@@ -221,8 +227,9 @@ impl Plan {
         };
         let own = match choice {
             Choice::Direct => DELAYED * direct_bytes,
-            Choice::LikeBlades(ref blades) => DELAYED * blades.cost().bytes,
-            Choice::Iterative(_) | Choice::IterativeFirst { .. } => PRECONDITIONER * tangent,
+            Choice::LikeBlades(_) | Choice::Iterative(_) | Choice::IterativeFirst { .. } => {
+                PRECONDITIONER * tangent
+            }
         };
         Plan {
             choice,
@@ -237,31 +244,43 @@ impl Plan {
     pub fn of_symmetric(equations: &Collocation, method: LinearMethod, most_bytes: f64) -> Self {
         let plan = Self::of(equations, method, most_bytes);
         let slender = equations.system().slenderness() > SLENDER;
-        if slender || FreedomSolver::work(equations).is_some() {
+        // Other preconditioners do not know one blade.
+        let others = match method {
+            LinearMethod::Iterative(Some(named)) => named != Preconditioner::BodyCirculant,
+            _ => false,
+        };
+        if slender || others || FreedomSolver::work(equations).is_some() {
             return plan;
         }
         let Some(left) = LikeBlades::of(equations) else {
             return plan;
         };
-        let blades = Box::new(OfLikeBlades::new(equations, left, method));
-        let cost = blades.cost();
-        let is_cheap = match (&plan.choice, method) {
-            (_, LinearMethod::Direct) | (Choice::Direct, _) => true,
-            (_, LinearMethod::Iterative(_)) => false,
-            _ => {
-                let numbers = equations.layout().motions().len() as f64;
-                cost.bytes < LARGE.min(most_bytes) && cost.work < AFFORDABLE * numbers
+        let (tangent, numbers) = (
+            tangent_bytes(equations.system(), equations.grid().points()),
+            left.motions() as f64,
+        );
+        let mut by_factors = None;
+        if !matches!(method, LinearMethod::Iterative(_)) {
+            let blades = OfLikeBlades::by_factors(equations, left.clone(), method);
+            let cost = blades.cost().unwrap_or(DirectCost::NONE);
+            let cheap = numbers < SMALL || cost.work < AFFORDABLE * numbers;
+            let fits = cost.bytes < LARGE.min(most_bytes);
+            if method == LinearMethod::Direct || fits && cheap {
+                by_factors = Some((blades, tangent + DELAYED * cost.bytes));
             }
-        };
-        if !is_cheap {
-            return plan;
         }
-        let tangent = tangent_bytes(equations.system(), equations.grid().points());
-        Plan {
-            bytes: tangent + DELAYED * cost.bytes,
-            choice: Choice::LikeBlades(blades),
-            falls_back: false,
-            ..plan
+        let by_iteration = || {
+            let blades = OfLikeBlades::by_iteration(equations, left, method)?;
+            Some((blades, (1.0 + PRECONDITIONER) * tangent))
+        };
+        match by_factors.or_else(by_iteration) {
+            Some((blades, bytes)) => Plan {
+                bytes,
+                choice: Choice::LikeBlades(Box::new(blades)),
+                falls_back: false,
+                ..plan
+            },
+            None => plan,
         }
     }
 }
@@ -321,14 +340,19 @@ impl Linear {
 
     /// Whether equations are solved by factors.
     pub fn is_direct(&self) -> bool {
-        matches!(self.active, Active::Direct(_) | Active::LikeBlades(_))
+        match &self.active {
+            Active::Direct(_) => true,
+            Active::LikeBlades(blades) => blades.cost().is_some(),
+            Active::Iterative(_) => false,
+        }
     }
 
     /// What iteration took, if any was tried.
     pub fn record(&self) -> Option<&IterativeRecord> {
         match &self.active {
             Active::Iterative(iterative) => Some(&iterative.record),
-            Active::Direct(_) | Active::LikeBlades(_) => self.given_up.as_ref(),
+            Active::LikeBlades(blades) => blades.record(),
+            Active::Direct(_) => self.given_up.as_ref(),
         }
     }
 

@@ -134,6 +134,7 @@ impl BodyCirculant {
             own: &own_means(equations, tangent),
             aliasing: &aliasing,
             compliance: equations.regularisation(),
+            alike: equations.alike(),
             transposed,
             workers: equations.workers(),
         };

@@ -461,6 +461,7 @@ impl LinearSolver for Iterative {
         };
         let mut probe = probe(equations.size());
         let mut product = vec![0.0; probe.len()];
+        equations.average(&mut probe);
         self.tangent.apply(equations, &probe, &mut product);
         let product = largest(&product);
         let mut response = probe.clone();

@@ -22,7 +22,9 @@ impl Preconditioned for Operator<'_> {
         let numbers = self.equations.layout().motions().len() as f64;
         self.equations.workers().work().spend(PRODUCT * numbers);
         let Some((borders, _)) = self.borders else {
-            return self.tangent.apply(self.equations, x, y);
+            self.tangent.apply(self.equations, x, y);
+            self.equations.average(y);
+            return;
         };
         let end = x.len() - borders.count();
         self.tangent.apply(self.equations, &x[..end], &mut y[..end]);

@@ -169,6 +169,7 @@ impl SpreadHarmonics {
             own: &parts.own_means(whole),
             aliasing: &parts.aliasing,
             compliance: equations.regularisation(),
+            alike: None,
             transposed: false,
             workers: equations.workers(),
         };

@@ -1,0 +1,253 @@
+//! One blade with its share of hub and supports, for solvers that iterate: a system of its own over
+//! the whole period, whose hub and supports may only move alike (docs/theory.md, section 9.6).
+
+use super::LikeBlades;
+use crate::collocation::problem::Collocation;
+use crate::collocation::state::GridState;
+use crate::error::Result;
+use crate::system::{Layout, Symmetry, System};
+use nalgebra::{Complex, DMatrix, Matrix6, Vector6};
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+/// Motions that are alike: `u(t) = T u(t + T/B)`, scaled, of the nodes of hub and supports; none of
+/// those of the blade, which are any.
+#[derive(Debug, Clone)]
+pub struct AlikeMotions {
+    blades: usize,
+    nodes: Vec<Option<Matrix6<f64>>>,
+}
+
+impl AlikeMotions {
+    /// The number of blades.
+    pub fn blades(&self) -> usize {
+        self.blades
+    }
+
+    /// `T` of a node of hub and supports.
+    pub fn of_node(&self, node: usize) -> Option<&Matrix6<f64>> {
+        self.nodes[node].as_ref()
+    }
+
+    /// What a harmonic of a node's motions may be: the projection on it; none if it may be any.
+    pub fn projection(&self, node: usize, harmonic: usize) -> Option<Matrix6<Complex<f64>>> {
+        let step = self.nodes[node]?.map(Complex::from);
+        let turn = Complex::from_polar(1.0, TAU * harmonic as f64 / self.blades as f64);
+        let mut power = Matrix6::identity();
+        let mut sum = Matrix6::zeros();
+        for _ in 0..self.blades {
+            sum += power;
+            power = power * step * turn;
+        }
+        Some(sum / Complex::from(self.blades as f64))
+    }
+
+    /// Takes from forces on the nodes what does no work on motions that are alike.
+    pub fn average(&self, layout: Layout, forces: &mut [f64]) {
+        let part = layout.points() / self.blades;
+        for (node, step) in self.nodes.iter().enumerate() {
+            let Some(step) = step else {
+                continue;
+            };
+            let Some(back) = step.try_inverse() else {
+                continue;
+            };
+            for k in 0..part {
+                let at = |q: usize| layout.motion(node, k + q * part);
+                // f(t) = T⁻ᵀ f(t + T/B)
+                let mut sum = Vector6::zeros();
+                for q in (0..self.blades).rev() {
+                    sum = back.tr_mul(&sum) + Vector6::from_column_slice(&forces[at(q)]);
+                }
+                sum /= self.blades as f64;
+                for q in 0..self.blades {
+                    forces[at(q)].copy_from_slice(sum.as_slice());
+                    sum = step.tr_mul(&sum);
+                }
+            }
+        }
+    }
+}
+
+/// The system of one blade.
+#[derive(Debug)]
+pub struct OneBlade {
+    /// Its equations.
+    pub equations: Collocation,
+    /// Leading nodes and elements, in the order of the system.
+    nodes: Vec<usize>,
+    elements: Vec<usize>,
+    /// Of each element, whether it acts on hub and supports alone.
+    is_shared: Vec<bool>,
+}
+
+impl OneBlade {
+    /// Of equations of a whole rotor; none if an element acts on two blades.
+    ///
+    /// # Errors
+    /// Those of signals.
+    pub fn of(whole: &Collocation, symmetry: &Symmetry, left: &LikeBlades) -> Result<Option<Self>> {
+        let system = whole.system();
+        let leads = |node: usize| left.nodes[node].leader == node;
+        let is_shared = |node: usize| symmetry.nodes[node] == node;
+        let nodes: Vec<usize> = (0..system.nodes()).filter(|&n| leads(n)).collect();
+        let mut elements = Vec::new();
+        for (index, placed) in system.elements().iter().enumerate() {
+            let all = placed.element.nodes();
+            if all.iter().all(|&node| leads(node)) {
+                let is_leader = left.elements[index].leader == index;
+                if placed.element.own_unknowns() > 0 && !is_leader {
+                    return Ok(None);
+                }
+                elements.push(index);
+            } else if all.iter().any(|&node| leads(node) && !is_shared(node)) {
+                return Ok(None);
+            }
+        }
+        let shared = |index: &usize| {
+            let nodes = system.elements()[*index].element.nodes();
+            nodes.iter().all(|&node| is_shared(node))
+        };
+        let is_shared_element: Vec<bool> = elements.iter().map(shared).collect();
+        let own_leaders = (0..system.elements().len())
+            .filter(|&e| left.elements[e].leader == e)
+            .filter(|&e| system.elements()[e].element.own_unknowns() > 0);
+        // Those of another blade lead where its elements were described first.
+        if own_leaders.into_iter().any(|e| !elements.contains(&e)) {
+            return Ok(None);
+        }
+        let share = |index: usize| match shared(&index) {
+            true => 1.0 / symmetry.blades as f64,
+            false => 1.0,
+        };
+        let part = system.part_of_shares(&nodes, &elements, share);
+        let mut equations = Collocation::new(Arc::new(part), whole.grid())?;
+        equations.set_workers(whole.workers().clone());
+        let scales = &whole.column_scale()[..6];
+        let step = |&node: &usize| {
+            is_shared(node).then(|| {
+                let adjoint = symmetry.carries[node].inverse().adjoint();
+                Matrix6::from_fn(|i, j| adjoint[(i, j)] * scales[j] / scales[i])
+            })
+        };
+        equations.set_alike(AlikeMotions {
+            blades: symmetry.blades,
+            nodes: nodes.iter().map(step).collect(),
+        });
+        Ok(Some(OneBlade {
+            equations,
+            nodes,
+            elements,
+            is_shared: is_shared_element,
+        }))
+    }
+
+    /// Takes the period and what equations are evaluated under from those of the whole, of the same
+    /// system.
+    ///
+    /// # Errors
+    /// If the period is none.
+    pub fn follow(&mut self, whole: &Collocation) -> Result<()> {
+        if self.equations.grid() != whole.grid() {
+            self.equations.set_period(whole.grid().period())?;
+        }
+        let (there, stations) = (&whole.instants, whole.system().stations());
+        let here = &mut self.equations.instants;
+        here.times.clone_from(&there.times);
+        here.signals.clone_from(&there.signals);
+        here.inertial = there.inertial;
+        here.resultants.clear();
+        if !there.resultants.is_empty() {
+            for k in 0..here.points {
+                for &index in &self.elements {
+                    let own = whole.system().elements()[index].stations.clone();
+                    let of_point = &there.resultants[k * stations..][..stations];
+                    here.resultants.extend_from_slice(&of_point[own]);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Its part of a state.
+    pub fn state(&self, whole: &System, state: &GridState) -> GridState {
+        let part = self.equations.system();
+        let points = state.points();
+        let mut own = GridState::at_points(part, points);
+        for (i, &node) in self.nodes.iter().enumerate() {
+            own.motions[i * points..][..points].copy_from_slice(state.node(node));
+        }
+        for (placed, &index) in part.elements().iter().zip(&self.elements) {
+            let there = &whole.elements()[index];
+            for k in 0..points {
+                own.own_of_mut(placed, k)
+                    .copy_from_slice(state.own_of(there, k));
+            }
+        }
+        own.coordinates.copy_from_slice(&state.coordinates);
+        own
+    }
+
+    /// Right sides of its equations, from those that are left.
+    pub fn rows(&self, left: &LikeBlades, rows: &[f64]) -> Vec<f64> {
+        let (system, layout) = (self.equations.system(), self.equations.layout());
+        let share = 1.0 / left.blades as f64;
+        let mut all = vec![0.0; self.equations.size()];
+        for (i, &node) in self.nodes.iter().enumerate() {
+            let factor = match self.equations.alike().and_then(|a| a.of_node(i)) {
+                Some(_) => share,
+                None => 1.0,
+            };
+            for k in 0..layout.points() {
+                let (first, carry) = left.node_at(node, k);
+                let x = Vector6::from_column_slice(&rows[first..][..6]) * factor;
+                let x = match carry.and_then(|carry| carry.try_inverse()) {
+                    Some(back) => back.tr_mul(&x),
+                    None => x,
+                };
+                all[layout.motion(i, k)].copy_from_slice(x.as_slice());
+            }
+        }
+        for (i, (placed, &index)) in system.elements().iter().zip(&self.elements).enumerate() {
+            let count = placed.element.own_unknowns();
+            let factor = match self.is_shared[i] && placed.has_states {
+                true => share,
+                false => 1.0,
+            };
+            for k in 0..if count > 0 { layout.points() } else { 0 } {
+                let (first, carry) = left.element_at(index, count, k);
+                let x = DMatrix::from_column_slice(count, 1, &rows[first..][..count]) * factor;
+                let x = match carry.and_then(|carry| carry.clone().try_inverse()) {
+                    Some(back) => back.tr_mul(&x),
+                    None => x,
+                };
+                all[layout.element_at(placed, k)].copy_from_slice(x.as_slice());
+            }
+        }
+        all
+    }
+
+    /// The unknowns that are left, from its own.
+    pub fn unknowns(&self, left: &LikeBlades, x: &[f64], out: &mut [f64]) {
+        let (system, layout) = (self.equations.system(), self.equations.layout());
+        for (i, &node) in self.nodes.iter().enumerate() {
+            let (first, parts) = left.node_places[node].unwrap_or_default();
+            for k in 0..parts * left.part {
+                out[first + 6 * k..][..6].copy_from_slice(&x[layout.motion(i, k)]);
+            }
+        }
+        for (i, (placed, &index)) in system.elements().iter().zip(&self.elements).enumerate() {
+            let count = placed.element.own_unknowns();
+            let (first, parts) = left.element_places[index].unwrap_or_default();
+            let factor = match self.is_shared[i] && !placed.has_states {
+                true => left.blades as f64,
+                false => 1.0,
+            };
+            for k in 0..if count > 0 { parts * left.part } else { 0 } {
+                let from = &x[layout.element_at(placed, k)];
+                let to = out[first + count * k..][..count].iter_mut();
+                to.zip(from).for_each(|(to, x)| *to = factor * x);
+            }
+        }
+    }
+}
