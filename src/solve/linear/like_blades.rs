@@ -199,9 +199,9 @@ impl OfLikeBlades {
     /// What iteration took.
     pub(crate) fn record(&self) -> Option<&IterativeRecord> {
         match (&self.by, &self.whole) {
+            (_, Some(whole)) if self.gave_up => whole.record(),
             (By::Iteration(iteration), _) => Some(&iteration.iterative.record),
-            (By::Factors(_), Some(whole)) => whole.record(),
-            (By::Factors(_), None) => None,
+            (By::Factors(_), _) => None,
         }
     }
 
@@ -240,6 +240,20 @@ impl OfLikeBlades {
         }
     }
 
+    /// About what the unknowns that are left respond to a right side, in place.
+    fn respond(&mut self, x: &mut [f64], timings: &mut Timings) -> Result<bool> {
+        let By::Iteration(iteration) = &mut self.by else {
+            return self.solve_for(x, ESTIMATE, timings);
+        };
+        let Iteration {
+            blade, iterative, ..
+        } = &mut **iteration;
+        let mut own = blade.rows(&self.left, x);
+        let known = iterative.respond(blade.equations.size(), &mut own);
+        blade.unknowns(&self.left, &own, x);
+        Ok(known)
+    }
+
     /// Solves what is left. None if the right side is not alike at all blades; `false` if it cannot
     /// be solved.
     fn solve_left(
@@ -257,8 +271,8 @@ impl OfLikeBlades {
             return Ok(Some(false));
         }
         if is_apart {
-            // What it takes to move the leaders by as much tells whether it matters.
-            if !self.solve_for(&mut apart, accuracy.max(ESTIMATE), timings)? {
+            // What it moves the leaders by tells whether it matters.
+            if !self.respond(&mut apart, timings)? {
                 return Ok(Some(false));
             }
             let motions = self.left.motions();

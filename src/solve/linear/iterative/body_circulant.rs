@@ -109,6 +109,14 @@ impl BodyCirculant {
         (bounds, transposed): (Bounds, bool),
     ) -> Result<Option<Self>> {
         let points = equations.grid().points();
+        // Forces of a joint between blade and hub that turns much are of all harmonics, those that
+        // the hub may not follow, too.
+        let ties = |index: usize| ties_blade(equations, index);
+        let exact =
+            |(index, class): (usize, &Class)| matches!(class, Class::Exact(_)) && ties(index);
+        if classes.iter().enumerate().any(exact) {
+            return Ok(None);
+        }
         let layout = Layout::new(equations, tangent, classes, kept_alone);
         if layout.largest_block() > LARGEST_BLOCK {
             return Ok(None);
@@ -417,6 +425,16 @@ fn spectra_of(layout: &Layout, harmonics: usize) -> Vec<usize> {
         spectrum_at[unknown] = i * harmonics;
     }
     spectrum_at
+}
+
+/// Whether an element ties a blade to what may only move alike.
+fn ties_blade(equations: &Collocation, index: usize) -> bool {
+    let Some(alike) = equations.alike() else {
+        return false;
+    };
+    let nodes = equations.system().elements()[index].element.nodes();
+    let may_move = |&node: &usize| alike.of_node(node).is_none();
+    nodes.iter().any(may_move) && !nodes.iter().all(may_move)
 }
 
 /// Writes harmonics to the lanes of an unknown.

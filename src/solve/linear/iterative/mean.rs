@@ -13,6 +13,9 @@ use nalgebra::{Complex, DMatrix, Matrix3, Matrix6, Vector3, Vector6};
 use std::f64::consts::TAU;
 use std::ops::Range;
 
+/// How stiffly what motions may not do is held, relative to the largest entry of all.
+const HELD: f64 = 1.0;
+
 /// Means over time of what multiplies the increments of a coupling, their first and second
 /// derivatives.
 #[derive(Debug, Clone, Default)]
@@ -398,9 +401,16 @@ impl Averages<'_> {
     ) {
         let of_node = |node: usize| alike.projection(node, harmonic).map(to_dynamic);
         let structure = &self.layout.structure;
+        let mut largest = 1.0f64;
+        for coupling in self.couplings {
+            let place = self.place(coupling);
+            let entries = (0..36).map(|i| lanes.at(place.entry(i / 6, i % 6)).get(lane).norm());
+            largest = entries.fold(largest, f64::max);
+        }
+        let held = HELD * largest;
         for coupling in self.couplings {
             let sides = [of_node(coupling.row), of_node(coupling.column)];
-            let holds = coupling.row == coupling.column;
+            let holds = (coupling.row == coupling.column).then_some(held);
             let block = (self.place(coupling), [6, 6]);
             project_block(lanes, lane, block, &sides, holds);
         }
@@ -417,12 +427,12 @@ impl Averages<'_> {
                 let at = self.layout.node_at[node];
                 let below = (structure.block_at(own, at), [count, 6]);
                 let sides = [of_own.clone(), of_node.clone()];
-                project_block(lanes, lane, below, &sides, false);
+                project_block(lanes, lane, below, &sides, None);
                 let beside = (structure.block_at(at, own), [6, count]);
-                project_block(lanes, lane, beside, &[of_node, of_own.clone()], false);
+                project_block(lanes, lane, beside, &[of_node, of_own.clone()], None);
             }
             let block = (structure.block_at(own, own), [count, count]);
-            project_block(lanes, lane, block, &[of_own.clone(), of_own], true);
+            project_block(lanes, lane, block, &[of_own.clone(), of_own], Some(1.0));
         }
     }
 }
@@ -467,14 +477,14 @@ fn to_dynamic(m: Matrix6<Complex<f64>>) -> DMatrix<Complex<f64>> {
     DMatrix::from_column_slice(6, 6, m.as_slice())
 }
 
-/// `Πᴴ A Π` of a block, with what its rows and columns may be, and `1 − Π` added if it holds what
-/// they may not.
+/// `Πᴴ A Π` of a block, with what its rows and columns may be, and `1 − Π` added, times a
+/// stiffness, if it holds what they may not.
 fn project_block(
     lanes: &mut BlockLanes<ComplexLanes>,
     lane: usize,
     (place, [rows, columns]): (BlockPlace, [usize; 2]),
     sides: &[Option<DMatrix<Complex<f64>>>; 2],
-    holds: bool,
+    holds: Option<f64>,
 ) {
     if sides.iter().all(Option::is_none) {
         return;
@@ -485,8 +495,9 @@ fn project_block(
     }
     if let Some(of_columns) = &sides[1] {
         block *= of_columns;
-        if holds {
-            block += DMatrix::identity(columns, columns) - of_columns;
+        if let Some(stiffness) = holds {
+            let held = DMatrix::identity(columns, columns) - of_columns;
+            block += held * Complex::from(stiffness);
         }
     }
     for j in 0..columns {

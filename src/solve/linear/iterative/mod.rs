@@ -276,6 +276,18 @@ impl Iterative {
         }
     }
 
+    /// About what the equations respond to a right side: that of the preconditioner, in place.
+    /// `false` if there is none.
+    pub fn respond(&mut self, size: usize, rhs: &mut [f64]) -> bool {
+        match &mut self.factors {
+            Some(factors) => {
+                factors.apply(rhs, size);
+                true
+            }
+            None => false,
+        }
+    }
+
     fn count_bytes(&mut self, vectors: usize, size: usize) {
         let factors = self.factors.as_ref().map_or(0, Factors::bytes);
         let bytes = self.tangent.bytes() + factors + (vectors + 4) * size * size_of::<f64>();
