@@ -11,8 +11,8 @@
  *                [--march STEPS] [--out FILE] [--animation FILE.pvd]
  *
  * One blade is solved for, as the others do the same a third of a turn later; all of them with
- * --whole 1. Solves at 8, 10 and 12 rpm, each speed from the motion at the one before; FILE gets deflections
- * and moments of the last over 721 times. --march checks it by marching. */
+ * --whole 1. Solves at 8, 10 and 12 rpm, each speed from the motion at the one before; FILE gets
+ * deflections and moments of the last over 721 times. --march checks it by marching. */
 
 #include <math.h>
 
@@ -337,7 +337,8 @@ done:
 
 int main(int argc, char **argv)
 {
-    check_options(argc, argv, "--grid --tolerance --elements --order --whole --march --out --animation");
+    check_options(argc, argv,
+                  "--grid --tolerance --elements --order --whole --march --out --animation");
     const size_t elements = option_count(argc, argv, "--elements", 8);
     const size_t order = option_count(argc, argv, "--order", 3);
     const int whole = option_number(argc, argv, "--whole", 0) != 0;

@@ -97,6 +97,20 @@ def test_multipliers():
     np.testing.assert_allclose(found, wanted, atol=1e-9)
 
 
+def test_like_blades_are_said_and_read():
+    model = pdn.Model()
+    for angle in 2 * np.pi * np.arange(3) / 3:
+        model.add_rigid_body(1.0, [np.cos(angle), np.sin(angle), 0], np.eye(3))
+    model.set_rotor_symmetry([0, 0, 2], 3, [0, 1, 2], [])
+    axis, point, blades, of_blade, of_hub = model.rotor_symmetry()
+    np.testing.assert_array_equal(axis, [0, 0, 1])
+    np.testing.assert_array_equal(point, np.zeros(3))
+    assert (blades, of_blade, of_hub) == (3, 1, 0)
+    assert model.rotor_node(1, 0) == 1
+    with pytest.raises(pdn.Error, match="blades: expected an odd number"):
+        model.set_rotor_symmetry([0, 0, 1], 2, [0, 1], [])
+
+
 def test_a_frame_that_turns_softens_a_radial_spring():
     model, body, _, _ = driven()
     model.set_turning_frame([0, 0, 2], 1.0)

@@ -19,9 +19,9 @@ use nalgebra::Vector3;
 /// gravity may be any. A solve refuses what is not alike, and says what tells blades apart.
 ///
 /// Solutions are those of all blades, as without this. They are solved for so where the number of
-/// grid points is a multiple of that of blades, as adaptive solves then choose it, by factors where
-/// these cost less than iteration on all blades does (always with PDN_LINEAR_DIRECT); not
-/// where time is mapped, equations are oversampled or controllers act. Loads and conditions that
+/// grid points is a multiple of that of blades, as adaptive solves then choose it; not where time
+/// is mapped, equations are oversampled, controllers act or beams are very slender, and only by
+/// factors where blades act on each other or turn much on hinges. Loads and conditions that
 /// parameters make different at the blades are solved for in whole. Nothing else takes notice:
 /// statics, modes, marches, branches and stability are those of the whole model.
 ///

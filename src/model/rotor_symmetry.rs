@@ -47,8 +47,8 @@ impl Model {
     /// configuration blade `j + 1` is blade `j`, turned by `2π/B` about the axis through `point`,
     /// and in the motion it is where that one gets a `B`-th of the period later. The nodes of the
     /// `hub` turn with the blades; all others do not, and their motions repeat themselves after a
-    /// `B`-th of the period. The axis is directed so that the rotor turns about it in the positive sense,
-    /// once in a period.
+    /// `B`-th of the period. The axis is directed so that the rotor turns about it in the positive
+    /// sense, once in a period.
     ///
     /// # Errors
     /// If an argument has no finite values, `axis` has no direction, the number of blades is not

@@ -4,7 +4,7 @@ use crate::elements::NodeState;
 use crate::error::{Error, ErrorKind, Result};
 use crate::memory;
 use crate::motion::Motion;
-use crate::solve::linear::method::tangent_bytes;
+use crate::solve::linear::cost::tangent_bytes;
 use crate::system::System;
 use nalgebra::Complex;
 

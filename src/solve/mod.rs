@@ -31,11 +31,12 @@ pub use conditions::{
     RigidPhase,
 };
 pub use equilibrium::{StaticOptions, solve_static};
+pub use linear::cost::DirectCost;
 pub use linear::diagnosis::describe_dependencies;
 pub use linear::direct::DirectSolver;
 pub use linear::direct_trial::{DirectTrial, try_direct_solve};
 pub use linear::iterative::{IterativeRecord, LinearTrial, Preconditioner, try_linear_solve};
-pub use linear::method::{DirectCost, LinearMethod};
+pub use linear::method::LinearMethod;
 pub use marching::shooting::{ShootingOptions, solve_shooting};
 pub use marching::{MarchEnd, MarchOptions, MarchStart, StartState, march};
 pub(crate) use memory::require_states;

@@ -1,5 +1,5 @@
 //! Which nodes and elements follow which, in a rotor of blades that are alike (docs/theory.md,
-//! section 9.6).
+//! section 8.10).
 
 use super::{ElementRole, System};
 use crate::error::{Error, ErrorKind, Result};

@@ -261,6 +261,14 @@ static void everything()
     m.set_turning_frame({0, 0, 2}, 1.5, {1, 0, 0});
     const pdn::TurningFrame frame = m.turning_frame();
     CHECK(frame.rate == 1.5 && frame.axis[2] == 1 && frame.point[0] == 1);
+    pdn::Model rotor;
+    for (const double x : {0.0, 1.0, 2.0, 3.0})
+        rotor.add_node({x, 0, 0});
+    rotor.set_rotor_symmetry({0, 0, 2}, 3, {0, 1, 2}, {3}, {1, 0, 0});
+    const pdn::RotorSymmetry said = rotor.rotor_symmetry();
+    CHECK(said.axis[2] == 1 && said.point[0] == 1 && said.blades == 3);
+    CHECK(said.nodes_of_blade == 1 && said.hub_nodes == 1);
+    CHECK(rotor.rotor_node(2, 0) == 2 && rotor.rotor_node(-1, 0) == 3);
     pdn::Conditions phases;
     phases.add_rotation_phase(frame.axis);
     phases.add_translation_phase({1, 0, 0});

@@ -260,7 +260,7 @@ contains
 
     ! All joints and forces can be made, and are counted.
     subroutine everything()
-        type(pdn_model) :: m
+        type(pdn_model) :: m, rotor
         type(pdn_summary) :: summary
         type(pdn_joint_info) :: pair
         type(pdn_force_info) :: force
@@ -268,7 +268,7 @@ contains
         type(pdn_conditions) :: phases
         character(:), allocatable :: text
         real(dp) :: unit(6, 6), mass, centre(3), number, axis(3), point(3)
-        integer :: a, b, id, joints, forces, nodes, i
+        integer :: a, b, id, joints, forces, nodes, blades, of_blade, of_hub, i
 
         unit = 0
         do i = 1, 6
@@ -303,6 +303,14 @@ contains
         point = 1
         call m%turning_frame(axis, number, point)
         call check(number == 1.5_dp .and. axis(3) == 1 .and. maxval(abs(point)) == 0, 'frame')
+        call rotor%new()
+        do i = 1, 4
+            call rotor%add_node(i*axis_1)
+        end do
+        call rotor%set_rotor_symmetry([0.0_dp, 0.0_dp, 2.0_dp], 3, [0, 1, 2], [3], axis)
+        call rotor%rotor_symmetry(axis, point, blades, of_blade, of_hub)
+        call rotor%rotor_node(-1, 0, id)
+        call check(blades == 3 .and. of_blade == 1 .and. of_hub == 1 .and. id == 3, 'rotor')
         call phases%new()
         call phases%add_rotation_phase(axis)
         call phases%add_translation_phase(axis)

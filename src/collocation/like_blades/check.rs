@@ -10,7 +10,7 @@ use crate::fourier::TimeGrid;
 use crate::system::{ElementRole, Symmetry, System, describe_role, not_alike};
 use nalgebra::{DMatrix, DVector, Matrix6, Vector6};
 use std::collections::HashMap;
-use std::mem::discriminant;
+use std::mem::{Discriminant, discriminant};
 use std::sync::Arc;
 
 /// Grid points of each part of the period at which elements are looked at.
@@ -44,8 +44,8 @@ pub fn require_like_blades(system: &Arc<System>) -> Result<()> {
 /// understood: laws of the user with internal states of their own.
 ///
 /// # Errors
-/// If what acts on the next blade does not act on this one a `B`-th of the period later, or elements
-/// cannot be evaluated.
+/// If what acts on the next blade does not act on this one a `B`-th of the period later, or
+/// elements cannot be evaluated.
 pub(super) fn checked_carries(
     system: &Arc<System>,
     symmetry: &Symmetry,
@@ -187,6 +187,58 @@ struct Acting {
     forces: Vec<DVector<f64>>,
 }
 
+/// What all elements do.
+struct All {
+    /// Those of one kind on the same nodes.
+    acting: Vec<Acting>,
+    /// Place of each kind on its nodes.
+    places: HashMap<(Discriminant<ElementRole>, Vec<usize>), usize>,
+    /// Of each element, at each grid point: what is asked of its own unknowns, scaled.
+    asked: Vec<Vec<DVector<f64>>>,
+}
+
+impl All {
+    /// At a state; of own unknowns, of multipliers where constraints are `met`, of internal states
+    /// elsewhere.
+    fn at(equations: &mut Collocation, (state, met): (&GridState, bool)) -> Result<Self> {
+        let system = equations.system().clone();
+        let (points, layout) = (state.points(), equations.layout());
+        equations.update_kinematics(state);
+        let mut workspace = system.workspace(false);
+        let mut all = All {
+            acting: Vec::new(),
+            places: HashMap::new(),
+            asked: Vec::with_capacity(system.elements().len()),
+        };
+        for placed in system.elements() {
+            let nodes = placed.element.nodes();
+            let key = (discriminant(&placed.role), nodes.to_vec());
+            let place = *all.places.entry(key).or_insert(all.acting.len());
+            if place == all.acting.len() {
+                all.acting.push(Acting {
+                    role: placed.role,
+                    nodes: nodes.to_vec(),
+                    forces: vec![DVector::zeros(6 * nodes.len()); points],
+                });
+            }
+            let mut own = Vec::new();
+            for (k, sum) in all.acting[place].forces.iter_mut().enumerate() {
+                let out = (equations.instants).evaluate(placed, k, state, &mut workspace)?;
+                for (i, (sum, x)) in sum.iter_mut().zip(&out.force).enumerate() {
+                    *sum += x * equations.row_scale()[i % 6];
+                }
+                if placed.element.own_unknowns() > 0 && placed.has_states != met {
+                    let rows = &equations.row_scale()[layout.element_at(placed, k)];
+                    let scaled = out.constraint.iter().zip(rows).map(|(x, s)| x * s);
+                    own.push(DVector::from_iterator(rows.len(), scaled));
+                }
+            }
+            all.asked.push(own);
+        }
+        Ok(all)
+    }
+}
+
 /// Checks that the forces of all elements at a state in which blades move alike are alike, and
 /// what is asked of their own unknowns: of multipliers where constraints are `met`, of internal
 /// states elsewhere.
@@ -196,84 +248,37 @@ fn require_alike(
     carries: &[Option<DMatrix<f64>>],
     (state, met): (&GridState, bool),
 ) -> Result<()> {
-    let system = equations.system().clone();
-    let (points, layout) = (state.points(), equations.layout());
-    let part = points / symmetry.blades;
-    equations.update_kinematics(state);
-    let mut workspace = system.workspace(false);
-    let mut places = HashMap::new();
-    let mut acting: Vec<Acting> = Vec::new();
-    // Of each element, what is asked of its own unknowns.
-    let mut asked: Vec<Vec<DVector<f64>>> = Vec::with_capacity(system.elements().len());
-    for placed in system.elements() {
-        let nodes = placed.element.nodes();
-        let place = *places
-            .entry((discriminant(&placed.role), nodes.to_vec()))
-            .or_insert(acting.len());
-        if place == acting.len() {
-            acting.push(Acting {
-                role: placed.role,
-                nodes: nodes.to_vec(),
-                forces: vec![DVector::zeros(6 * nodes.len()); points],
-            });
-        }
-        let mut own = Vec::new();
-        for (k, sum) in acting[place].forces.iter_mut().enumerate() {
-            let out = (equations.instants).evaluate(placed, k, state, &mut workspace)?;
-            for (i, (sum, x)) in sum.iter_mut().zip(&out.force).enumerate() {
-                *sum += x * equations.row_scale()[i % 6];
-            }
-            if placed.element.own_unknowns() > 0 && placed.has_states != met {
-                let rows = &equations.row_scale()[layout.element_at(placed, k)];
-                let scaled = out.constraint.iter().zip(rows).map(|(x, s)| x * s);
-                own.push(DVector::from_iterator(rows.len(), scaled));
-            }
-        }
-        asked.push(own);
-    }
-    let later = later(symmetry);
-    for (index, placed) in system.elements().iter().enumerate() {
-        let image = symmetry.elements[index];
-        let (here, there) = (&asked[image], &asked[index]);
-        for (k, here) in here.iter().enumerate() {
-            let there = &there[(k + part) % points];
-            let here = match &carries[index] {
-                Some(carry) => carry.tr_mul(here),
-                None => here.clone(),
-            };
-            let is_alike = (here - there).amax() <= ALIKE * there.amax().max(1.0);
-            if !is_alike {
-                let (one, other) = (placed.role, system.elements()[image].role);
-                // Such as the drive.
-                let hint = match image == index {
-                    true => {
-                        ": a rotor turns about the axis in the positive sense, once in a period"
-                    }
-                    false => "",
-                };
-                return Err(not_alike(&format!(
-                    "{} does not prescribe what {} does {later}{hint}",
-                    describe_role(other),
-                    describe_role(one)
-                )));
-            }
-        }
-    }
-    let all = acting.iter().flat_map(|acting| &acting.forces);
-    let largest = all.fold(0.0f64, |most, forces| most.max(forces.amax()));
+    let all = All::at(equations, (state, met))?;
+    require_like_demands(equations.system(), symmetry, carries, &all.asked)?;
+    let forces = all.acting.iter().flat_map(|acting| &acting.forces);
+    let largest = forces.fold(0.0f64, |most, forces| most.max(forces.amax()));
     let scales = &equations.column_scale()[..6];
-    for Acting {
-        role,
-        nodes,
-        forces,
-    } in &acting
-    {
-        let images: Vec<usize> = nodes.iter().map(|&node| symmetry.nodes[node]).collect();
-        let image = places
-            .get(&(discriminant(role), images))
-            .map(|&i| &acting[i]);
+    for acting in &all.acting {
+        let images = acting.nodes.iter().map(|&node| symmetry.nodes[node]);
+        let key = (discriminant(&acting.role), images.collect());
+        let image = all.places.get(&key).map(|&i| &all.acting[i]);
+        acting.require_like((image, largest), symmetry, scales)?;
+    }
+    Ok(())
+}
+
+impl Acting {
+    /// Checks that the forces are those of the image, if there is one, or else none; those that
+    /// rounding leaves of the `largest` of all are none.
+    fn require_like(
+        &self,
+        (image, largest): (Option<&Acting>, f64),
+        symmetry: &Symmetry,
+        scales: &[f64],
+    ) -> Result<()> {
+        let Acting {
+            role,
+            nodes,
+            forces,
+        } = self;
+        let (points, later) = (forces.len(), later(symmetry));
         for k in 0..points {
-            let there = &forces[(k + part) % points];
+            let there = &forces[(k + points / symmetry.blades) % points];
             let mut off = 0.0f64;
             for (local, &node) in nodes.iter().enumerate() {
                 let adjoint = symmetry.carries[node].adjoint();
@@ -286,22 +291,61 @@ fn require_alike(
             }
             // Written so that NaN is refused too.
             let is_alike = off <= ALIKE * there.amax() + NOTHING * largest;
-            if !is_alike {
-                let one = describe_role(*role);
-                return Err(not_alike(&match image {
-                    Some(image) if image.nodes == *nodes => {
-                        format!("{one} on nodes {nodes:?} does not act as it does {later}")
-                    }
-                    Some(image) => format!(
-                        "{} on nodes {:?} does not act as {one} on nodes {nodes:?} does {later}",
-                        describe_role(image.role),
-                        image.nodes
-                    ),
-                    None => format!(
-                        "{one} on nodes {nodes:?} has no like on the nodes that follow them"
-                    ),
-                }));
+            if is_alike {
+                continue;
             }
+            let one = describe_role(*role);
+            return Err(not_alike(&match image {
+                Some(image) if image.nodes == *nodes => {
+                    format!("{one} on nodes {nodes:?} does not act as it does {later}")
+                }
+                Some(image) => format!(
+                    "{} on nodes {:?} does not act as {one} on nodes {nodes:?} does {later}",
+                    describe_role(image.role),
+                    image.nodes
+                ),
+                None => {
+                    format!("{one} on nodes {nodes:?} has no like on the nodes that follow them")
+                }
+            }));
+        }
+        Ok(())
+    }
+}
+
+/// Checks that what is `asked` of the own unknowns of all elements is alike.
+fn require_like_demands(
+    system: &System,
+    symmetry: &Symmetry,
+    carries: &[Option<DMatrix<f64>>],
+    asked: &[Vec<DVector<f64>>],
+) -> Result<()> {
+    for (index, placed) in system.elements().iter().enumerate() {
+        let image = symmetry.elements[index];
+        let (here, there) = (&asked[image], &asked[index]);
+        let points = here.len();
+        for (k, here) in here.iter().enumerate() {
+            let there = &there[(k + points / symmetry.blades) % points];
+            let here = match &carries[index] {
+                Some(carry) => carry.tr_mul(here),
+                None => here.clone(),
+            };
+            let is_alike = (here - there).amax() <= ALIKE * there.amax().max(1.0);
+            if is_alike {
+                continue;
+            }
+            let (one, other) = (placed.role, system.elements()[image].role);
+            // Such as the drive.
+            let hint = match image == index {
+                true => ": a rotor turns about the axis in the positive sense, once in a period",
+                false => "",
+            };
+            return Err(not_alike(&format!(
+                "{} does not prescribe what {} does {}{hint}",
+                describe_role(other),
+                describe_role(one),
+                later(symmetry)
+            )));
         }
     }
     Ok(())

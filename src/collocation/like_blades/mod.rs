@@ -1,11 +1,13 @@
-//! Unknowns that are left of a rotor of like blades (docs/theory.md, section 9.6): those of one
+//! Unknowns that are left of a rotor of like blades (docs/theory.md, section 8.10): those of one
 //! blade over the period, and of hub and supports over the `B`-th part of it.
 
+mod alike;
 mod check;
 mod one;
 
+pub use alike::AlikeMotions;
 pub use check::require_like_blades;
-pub use one::{AlikeMotions, OneBlade};
+pub use one::OneBlade;
 
 use super::problem::Collocation;
 use super::state::GridState;
@@ -23,8 +25,8 @@ const SAME: f64 = 1e-13;
 pub struct Follower<T> {
     /// The node, or element, that it follows; it may be itself.
     pub leader: usize,
-    /// For each of its `B` parts of the period: the leader's part, and what carries that there; none
-    /// where it is the same.
+    /// For each of its `B` parts of the period: the leader's part, and what carries that there;
+    /// none where it is the same.
     pub parts: Vec<(usize, Option<T>)>,
 }
 

@@ -1,5 +1,6 @@
 //! Residual of the governing equations at all grid points (docs/theory.md, section 5.2).
 
+mod alike;
 mod energy;
 mod ground;
 mod linearised;
@@ -179,24 +180,6 @@ impl Collocation {
         }
         self.division = Division::new(&self.system, self.grid.points(), &workers);
         self.workers = workers;
-    }
-
-    /// Lets some nodes move alike only.
-    pub(super) fn set_alike(&mut self, alike: AlikeMotions) {
-        self.alike = Some(alike);
-    }
-
-    /// How the nodes of hub and supports have to move, if these are equations of one blade.
-    pub fn alike(&self) -> Option<&AlikeMotions> {
-        self.alike.as_ref()
-    }
-
-    /// Takes from the forces on nodes what does no work on motions that are alike, if they have to
-    /// be.
-    pub fn average(&self, forces: &mut [f64]) {
-        if let Some(alike) = &self.alike {
-            alike.average(self.layout, forces);
-        }
     }
 
     /// The threads that share work.

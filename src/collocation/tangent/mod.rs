@@ -14,6 +14,7 @@
 mod assembly;
 mod layout;
 mod like_blades;
+mod like_blades_pattern;
 mod product;
 #[cfg(test)]
 mod tangent_test;
@@ -22,7 +23,7 @@ mod transposed;
 pub use super::coupling::Coupling;
 pub use assembly::Linearisation;
 pub use layout::Station;
-pub use like_blades::LikeBladesPattern;
+pub use like_blades_pattern::LikeBladesPattern;
 pub use product::Increment;
 
 use super::division::Share;

@@ -3,8 +3,8 @@
 use crate::collocation::Collocation;
 use crate::error::Result;
 use crate::solve::linear::assembled::Assembled;
+use crate::solve::linear::cost::DirectCost;
 use crate::solve::linear::iterative::missing_inertia;
-use crate::solve::linear::method::DirectCost;
 use crate::solve::linear::solver::LinearSolver;
 use crate::solve::report::{Timings, timed};
 use crate::solve::result::Solved;

@@ -1,5 +1,5 @@
 //! Newton's equations of a rotor of like blades, by those that are left of one blade, hub and
-//! supports (docs/theory.md, section 9.6): by factors, or by iteration.
+//! supports (docs/theory.md, section 8.10): by factors, or by iteration.
 //!
 //! Right sides that are not alike at all blades, as a load on one of them makes, are not left out:
 //! they are solved for with the whole Jacobian.
@@ -8,11 +8,11 @@ use crate::collocation::{
     Collocation, GridState, LikeBlades, LikeBladesPattern, OneBlade, Tangent,
 };
 use crate::error::Result;
+use crate::solve::linear::cost::DirectCost;
 use crate::solve::linear::dense::{largest, probe};
 use crate::solve::linear::diagnosis::Singularity;
 use crate::solve::linear::direct::DirectSolver;
 use crate::solve::linear::iterative::{Iterative, IterativeRecord, Preconditioner};
-use crate::solve::linear::method::{DirectCost, Linear, LinearMethod};
 use crate::solve::linear::solver::{ESTIMATE, LinearSolver};
 use crate::solve::report::{Timings, timed};
 use crate::system::System;
@@ -24,6 +24,9 @@ const ALIKE: f64 = 1e-6;
 /// constraints that are not met yet; and scaled ones that are that of rounding.
 const LITTLE: f64 = 0.5;
 const ROUNDING: f64 = 1e-9;
+
+/// Makes what solves equations that are not alike at all blades.
+pub(crate) type Whole = Box<dyn Fn(&Collocation) -> Box<dyn LinearSolver>>;
 
 /// What solves the equations that are left.
 enum By {
@@ -55,9 +58,9 @@ pub(crate) struct OfLikeBlades {
     by: By,
     /// Where the equations were linearised last.
     last: Option<GridState>,
-    /// How equations are solved that are not alike at all blades, and what did so there.
-    method: LinearMethod,
-    whole: Option<Box<Linear>>,
+    /// Makes what solves equations that are not alike at all blades, and what did so there.
+    new_whole: Whole,
+    whole: Option<Box<dyn LinearSolver>>,
     /// Whether what is left could not be solved, so that all are.
     gave_up: bool,
 }
@@ -158,31 +161,31 @@ impl Iteration {
 
 impl OfLikeBlades {
     /// By factors.
-    pub(crate) fn by_factors(
-        equations: &Collocation,
-        left: LikeBlades,
-        method: LinearMethod,
-    ) -> Self {
+    pub(crate) fn by_factors(equations: &Collocation, left: LikeBlades, new_whole: Whole) -> Self {
         let factors = Factors::new(equations, &left);
-        Self::by(By::Factors(Box::new(factors)), left, method)
+        Self::by(By::Factors(Box::new(factors)), left, new_whole)
     }
 
     /// By iteration; none if an element acts on two blades.
     pub(crate) fn by_iteration(
         equations: &Collocation,
         left: LikeBlades,
-        method: LinearMethod,
+        new_whole: Whole,
     ) -> Option<Self> {
         let iteration = Iteration::new(equations, &left)?;
-        Some(Self::by(By::Iteration(Box::new(iteration)), left, method))
+        Some(Self::by(
+            By::Iteration(Box::new(iteration)),
+            left,
+            new_whole,
+        ))
     }
 
-    fn by(by: By, left: LikeBlades, method: LinearMethod) -> Self {
+    fn by(by: By, left: LikeBlades, new_whole: Whole) -> Self {
         OfLikeBlades {
             left,
             by,
             last: None,
-            method,
+            new_whole,
             whole: None,
             gave_up: false,
         }
@@ -198,10 +201,9 @@ impl OfLikeBlades {
 
     /// What iteration took.
     pub(crate) fn record(&self) -> Option<&IterativeRecord> {
-        match (&self.by, &self.whole) {
-            (_, Some(whole)) if self.gave_up => whole.record(),
-            (By::Iteration(iteration), _) => Some(&iteration.iterative.record),
-            (By::Factors(_), _) => None,
+        match &self.by {
+            By::Iteration(iteration) => Some(&iteration.iterative.record),
+            By::Factors(_) => None,
         }
     }
 
@@ -210,7 +212,7 @@ impl OfLikeBlades {
         &mut self,
         equations: &mut Collocation,
         timings: &mut Timings,
-        solve: impl FnOnce(&mut Linear, &mut Collocation, &mut Timings) -> Result<bool>,
+        solve: impl FnOnce(&mut dyn LinearSolver, &mut Collocation, &mut Timings) -> Result<bool>,
     ) -> Result<bool> {
         let Some(state) = &self.last else {
             return Ok(false);
@@ -218,14 +220,14 @@ impl OfLikeBlades {
         let whole = match &mut self.whole {
             Some(whole) => whole,
             None => {
-                let mut whole = Box::new(Linear::new(equations, self.method));
+                let mut whole = (self.new_whole)(equations);
                 if !whole.linearise(equations, state, timings)? {
                     return Ok(false);
                 }
                 self.whole.insert(whole)
             }
         };
-        solve(whole, equations, timings)
+        solve(&mut **whole, equations, timings)
     }
 
     /// Solves in place for the unknowns that are left.
@@ -319,7 +321,7 @@ impl LinearSolver for OfLikeBlades {
             return Ok(true);
         }
         self.gave_up = true;
-        let mut whole = Box::new(Linear::new(equations, self.method));
+        let mut whole = (self.new_whole)(equations);
         let done = whole.linearise(equations, state, timings)?;
         self.whole = Some(whole);
         Ok(done)
@@ -402,7 +404,7 @@ impl LinearSolver for OfLikeBlades {
     }
 
     fn explain(&mut self, equations: &mut Collocation, state: &GridState) -> Singularity {
-        let mut whole = Linear::new(equations, self.method);
+        let mut whole = (self.new_whole)(equations);
         match whole.linearise(equations, state, &mut Timings::default()) {
             Ok(_) => whole.explain(equations, state),
             Err(error) => Singularity::Unsolved(error.to_string()),

@@ -5,19 +5,16 @@ use crate::collocation::{Collocation, GridState, LikeBlades, Tangent};
 use crate::error::{Error, ErrorKind, Result};
 use crate::solve::linear::assembled::Assembled;
 use crate::solve::linear::borders::Borders;
+use crate::solve::linear::cost::{AFFORDABLE, DirectCost, tangent_bytes};
 use crate::solve::linear::diagnosis::Singularity;
 use crate::solve::linear::freedoms::FreedomSolver;
-use crate::solve::linear::front::{Held, elimination_work};
+use crate::solve::linear::front::Held;
 use crate::solve::linear::iterative::{Iterative, IterativeRecord, Preconditioner};
-use crate::solve::linear::like_blades::OfLikeBlades;
-use crate::solve::linear::ordering::plan;
+use crate::solve::linear::like_blades::{OfLikeBlades, Whole};
 use crate::solve::linear::slender::SLENDER;
 use crate::solve::linear::solver::{ESTIMATE, LinearSolver};
 use crate::solve::report::{Timings, timed};
-use crate::system::System;
-use crate::work::{LINEARISATION, OF_FACTORS, PRODUCT, RESIDUAL};
-use nalgebra::Matrix6;
-use std::collections::BTreeSet;
+use crate::work::PRODUCT;
 
 /// How linear equations are solved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -35,90 +32,17 @@ pub enum LinearMethod {
 const LARGE: f64 = 1.5e9;
 /// Factors that take more than this are not tried, even where iteration fails.
 const TOO_LARGE: f64 = 6e9;
-/// Multiply-adds that a factorisation may take for each number that is stored at a node and grid
-/// point, where iteration is the alternative: about what its products take.
-const AFFORDABLE: f64 = 1e4;
 /// Multiply-adds that take as long as a value of the Jacobian does to be assembled.
 const VALUE: f64 = 50.0;
 /// The same of few freedoms, all in all: a few seconds. Turning joints have as many in the dense
 /// system that iteration solves.
 const AFFORDABLE_FREEDOMS: f64 = 1e10;
-/// Products of an iteration of Newton's method that is easy.
-const EASY_PRODUCTS: f64 = 30.0;
 /// Factors with pivots that wait take more than was planned, by so much.
 const DELAYED: f64 = 1.2;
 /// A preconditioner, and the vectors of the iteration, in terms of the tangents' bytes, about.
 const PRECONDITIONER: f64 = 2.0;
 /// So few numbers are not worth the trouble.
 const SMALL: f64 = 1500.0;
-/// What factors of the whole Jacobian take, as planned.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct DirectCost {
-    /// Multiply-adds of one factorisation.
-    pub work: f64,
-    /// Bytes.
-    pub bytes: f64,
-}
-
-impl DirectCost {
-    /// Of nothing.
-    const NONE: Self = DirectCost {
-        work: 0.0,
-        bytes: 0.0,
-    };
-
-    /// Of the Jacobian of a system on a grid of so many points.
-    pub fn of(system: &System, points: usize) -> Self {
-        let nodes = system.nodes();
-        let mut sizes = vec![system.layout(points).of_node(); nodes];
-        let mut coupled = vec![BTreeSet::new(); nodes];
-        for placed in system.elements() {
-            let mut members = placed.element.nodes().to_vec();
-            if placed.element.own_unknowns() > 0 {
-                members.push(sizes.len());
-                sizes.push(placed.own_over(points).len());
-                coupled.push(BTreeSet::new());
-            }
-            for &a in &members {
-                coupled[a].extend(&members);
-            }
-        }
-        let size = |groups: &[usize]| groups.iter().map(|&g| sizes[g]).sum::<usize>();
-        let fronts = plan(&sizes, &coupled, nodes);
-        Self::of_fronts(fronts.iter().map(|f| (size(&f.own), size(&f.boundary))))
-    }
-
-    /// Of fronts that eliminate so many unknowns, and leave so many others.
-    pub(crate) fn of_fronts(fronts: impl Iterator<Item = (usize, usize)>) -> Self {
-        let (mut work, mut numbers) = (0.0, 0.0);
-        for (own, rest) in fronts {
-            work += elimination_work(own, rest);
-            numbers += (own * (own + 2 * rest)) as f64;
-        }
-        // The values themselves, and the largest fronts, come to about as much again.
-        DirectCost {
-            work,
-            bytes: 2.0 * numbers * size_of::<f64>() as f64,
-        }
-    }
-
-    /// Values of the Jacobian, at most.
-    fn values(&self) -> f64 {
-        0.5 * self.bytes / size_of::<f64>() as f64
-    }
-}
-
-/// Multiply-adds of an iteration of Newton's method on a grid of so many points that is easy: by
-/// factors or by few products, as costs less.
-pub(crate) fn easy_iteration(system: &System, points: usize) -> f64 {
-    let numbers = system.layout(points).motions().len() as f64;
-    let by_factors = DirectCost::of(system, points).work;
-    let solved = match by_factors < AFFORDABLE * numbers {
-        true => OF_FACTORS * by_factors,
-        false => by_factors.min(EASY_PRODUCTS * PRODUCT * numbers),
-    };
-    solved + (LINEARISATION + 2.0 * RESIDUAL) * numbers
-}
 
 enum Active {
     Direct(Box<Assembled>),
@@ -259,9 +183,12 @@ impl Plan {
             tangent_bytes(equations.system(), equations.grid().points()),
             left.motions() as f64,
         );
+        let whole = || -> Whole {
+            Box::new(move |equations: &Collocation| Box::new(Linear::new(equations, method)))
+        };
         let mut by_factors = None;
         if !matches!(method, LinearMethod::Iterative(_)) {
-            let blades = OfLikeBlades::by_factors(equations, left.clone(), method);
+            let blades = OfLikeBlades::by_factors(equations, left.clone(), whole());
             let cost = blades.cost().unwrap_or(DirectCost::NONE);
             let cheap = numbers < SMALL || cost.work < AFFORDABLE * numbers;
             let fits = cost.bytes < LARGE.min(most_bytes);
@@ -270,7 +197,7 @@ impl Plan {
             }
         }
         let by_iteration = || {
-            let blades = OfLikeBlades::by_iteration(equations, left, method)?;
+            let blades = OfLikeBlades::by_iteration(equations, left, whole())?;
             Some((blades, (1.0 + PRECONDITIONER) * tangent))
         };
         match by_factors.or_else(by_iteration) {
@@ -283,16 +210,6 @@ impl Plan {
             None => plan,
         }
     }
-}
-
-/// Bytes of the tangents of all elements, about.
-pub(crate) fn tangent_bytes(system: &System, points: usize) -> f64 {
-    let pairs = system.elements().iter().map(|placed| {
-        let nodes = placed.element.nodes().len() as f64;
-        nodes * (nodes + placed.element.own_unknowns() as f64 / 6.0)
-    });
-    let matrices = 3.0 * size_of::<Matrix6<f64>>() as f64;
-    pairs.sum::<f64>() * matrices * points as f64
 }
 
 impl Linear {

@@ -2,14 +2,14 @@
 //! docs/theory.md, section 8.
 //!
 //! What Newton's method asks for is in `solver`; which solver answers, in `method` (docs/theory.md,
-//! section 8.7), by the work that `direct_trial` and `iterative/trial` measure.
+//! section 8.7), by the work that `cost` plans, and `direct_trial` and `iterative/trial` measure.
 //!
 //! * Directly (docs/theory.md, section 8.1): `assembled` forms the Jacobian and factors it by
 //!   `direct`, multifrontal LU, with the matrices of very slender beams refined in `slender`.
 //!   `ordering` says in which order, `direct/analysis` which fronts follow, `direct/factorisation`
 //!   goes through them, and `front` eliminates one, with `partial_lu` where not all has pivots.
 //! * By freedoms, of mechanisms that have few (docs/theory.md, section 8.2): `freedoms`.
-//! * By what is left of a rotor of like blades (docs/theory.md, section 9.6): `like_blades`.
+//! * By what is left of a rotor of like blades (docs/theory.md, section 8.10): `like_blades`.
 //! * By iteration: `iterative`, with GMRES in `iterative/gmres` (docs/theory.md, section 8.3) and
 //!   the preconditioners `iterative/body_circulant` (docs/theory.md, section 8.5) and
 //!   `iterative/time_local` (docs/theory.md, section 8.6).
@@ -23,6 +23,7 @@ pub(crate) mod assembled;
 mod blocks;
 pub(crate) mod bordered;
 pub(crate) mod borders;
+pub(crate) mod cost;
 pub(crate) mod dense;
 pub(crate) mod diagnosis;
 pub(crate) mod direct;

@@ -17,7 +17,7 @@ use crate::error::Result;
 use crate::fourier::TimeGrid;
 use crate::memory;
 use crate::solve::linear::assembled::Assembled;
-use crate::solve::linear::method::tangent_bytes;
+use crate::solve::linear::cost::tangent_bytes;
 use crate::solve::linear::solver::{COARSE, ESTIMATE, LinearSolver};
 use crate::solve::memory::of_grid;
 use crate::solve::newton::assembly::describe_turned_over;

@@ -4,7 +4,7 @@
 use crate::collocation::{Conditions, GridState};
 use crate::elements::InertialForces;
 use crate::error::Result;
-use crate::solve::linear::method::DirectCost;
+use crate::solve::linear::cost::DirectCost;
 use crate::solve::newton::on_grid::{Found, OnGrid};
 use crate::solve::report::{NewtonReport, Outcome};
 use crate::solve::step_length::StepLength;

@@ -10,6 +10,7 @@ pub use columns::Columns;
 
 use crate::collocation::{Panel, Pattern};
 use crate::error::Result;
+use crate::solve::linear::cost::DirectCost;
 use crate::solve::linear::dense::{
     largest, solve_unit_lower, solve_unit_lower_transposed, solve_upper, solve_upper_transposed,
     subtract_product, subtract_transposed,
@@ -17,7 +18,6 @@ use crate::solve::linear::dense::{
 use crate::solve::linear::direct::analysis::Analysis;
 use crate::solve::linear::direct::factorisation::Factorisation;
 use crate::solve::linear::front::{Front, Held, NoPivot};
-use crate::solve::linear::method::DirectCost;
 use crate::solve::linear::solver::COARSE;
 use crate::work::{OF_FACTORS, SUBSTITUTION};
 use crate::workers::Workers;

@@ -108,29 +108,20 @@ impl BodyCirculant {
         kept_alone: &[bool],
         (bounds, transposed): (Bounds, bool),
     ) -> Result<Option<Self>> {
-        let points = equations.grid().points();
-        // Forces of a joint between blade and hub that turns much are of all harmonics, those that
-        // the hub may not follow, too.
-        let ties = |index: usize| ties_blade(equations, index);
-        let exact =
-            |(index, class): (usize, &Class)| matches!(class, Class::Exact(_)) && ties(index);
-        if classes.iter().enumerate().any(exact) {
-            return Ok(None);
-        }
         let layout = Layout::new(equations, tangent, classes, kept_alone);
-        if layout.largest_block() > LARGEST_BLOCK {
+        if layout.largest_block() > LARGEST_BLOCK || tears_blades(equations, classes) {
             return Ok(None);
         }
         let kept: Vec<usize> = layout.kept().collect();
         let places: Vec<_> = kept.iter().map(|&i| layout.places[i]).collect();
-        let interface = match kept.is_empty() {
-            true => None,
-            false => Interface::new(equations, classes, &places, bounds),
-        };
+        let joined = !kept.is_empty();
+        let interface = joined.then(|| Interface::new(equations, classes, &places, bounds));
+        let interface = interface.flatten();
         if interface.is_some() == kept.is_empty() {
             return Ok(None);
         }
         let strains = MeanStrain::all(equations, tangent);
+        let points = equations.grid().points();
         let (aliasing, harmonics) = (scaled_aliasing(equations), points / 2 + 1);
         let averages = Averages {
             system: equations.system(),
@@ -427,14 +418,19 @@ fn spectra_of(layout: &Layout, harmonics: usize) -> Vec<usize> {
     spectrum_at
 }
 
-/// Whether an element ties a blade to what may only move alike.
-fn ties_blade(equations: &Collocation, index: usize) -> bool {
+/// Whether a joint that turns ties a blade to hub or supports, which may only move alike: its
+/// forces are of all harmonics, those that they may not follow, too.
+fn tears_blades(equations: &Collocation, classes: &[Class]) -> bool {
     let Some(alike) = equations.alike() else {
         return false;
     };
-    let nodes = equations.system().elements()[index].element.nodes();
-    let may_move = |&node: &usize| alike.of_node(node).is_none();
-    nodes.iter().any(may_move) && !nodes.iter().all(may_move)
+    let elements = classes.iter().zip(equations.system().elements());
+    let mut exact = elements.filter(|(class, _)| matches!(class, Class::Exact(_)));
+    exact.any(|(_, placed)| {
+        let is_free = |&node: &usize| alike.of_node(node).is_none();
+        let nodes = placed.element.nodes();
+        nodes.iter().any(is_free) && !nodes.iter().all(is_free)
+    })
 }
 
 /// Writes harmonics to the lanes of an unknown.

@@ -1,10 +1,10 @@
 //! Preconditioners, factored.
 
-use super::Preconditioner;
 use super::body_circulant::BodyCirculant;
 use super::constraints::Joints;
 use super::interface::Bounds;
 use super::time_local::TimeLocal;
+use super::{Iterative, Preconditioner};
 use crate::collocation::{Collocation, Tangent};
 use crate::error::Result;
 
@@ -87,6 +87,20 @@ impl Factors {
         match self {
             Factors::Body(factors) => factors.bytes(),
             Factors::Local(factors) => factors.bytes(),
+        }
+    }
+}
+
+impl Iterative {
+    /// About what the equations respond to a right side: that of the preconditioner, in place.
+    /// `false` if there is none.
+    pub fn respond(&mut self, size: usize, rhs: &mut [f64]) -> bool {
+        match &mut self.factors {
+            Some(factors) => {
+                factors.apply(rhs, size);
+                true
+            }
+            None => false,
         }
     }
 }

@@ -6,7 +6,8 @@
 //!   `operator` is that of the equations, between borders, too; `projected` iterates on oversampled
 //!   equations.
 //! * `body_circulant`: bodies averaged over time, joints as they are. In `constraints` which of
-//!   these may be averaged too, in `mean` the averages, in `resultants` those of stress resultants,
+//!   these may be averaged too, in `mean` the averages, in `projection` those of like blades, in
+//!   `resultants` those of stress resultants,
 //!   in `interface` the system of the joints that turn.
 //! * `transposed`: the transposed equations, by the transposes of these.
 //! * `time_local`: equilibrium at each grid point by itself.
@@ -36,6 +37,7 @@ mod operator;
 mod outer;
 mod part;
 mod projected;
+mod projection;
 mod record;
 mod resultants;
 mod spread;
@@ -273,18 +275,6 @@ impl Iterative {
             self.candidates.retain(|other| *other != failed);
             let far = error > ROUGH;
             self.fails_locally |= failed.0 == Preconditioner::TimeLocal && far;
-        }
-    }
-
-    /// About what the equations respond to a right side: that of the preconditioner, in place.
-    /// `false` if there is none.
-    pub fn respond(&mut self, size: usize, rhs: &mut [f64]) -> bool {
-        match &mut self.factors {
-            Some(factors) => {
-                factors.apply(rhs, size);
-                true
-            }
-            None => false,
         }
     }
 

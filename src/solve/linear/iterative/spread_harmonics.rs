@@ -144,8 +144,7 @@ impl SpreadHarmonics {
         kept_alone: &[bool],
     ) -> Result<Option<Self>> {
         let (ranks, whole, equations) = (spread.ranks, spread.whole, spread.equations);
-        let grid = equations.grid();
-        let (once, structure) = &parts.structure;
+        let (grid, (once, structure)) = (equations.grid(), &parts.structure);
         let (classes, alone) = parts.of_whole(whole, own_classes, kept_alone);
         let layout = Layout::new(once, structure, &classes, &alone);
         if layout.largest_block() > LARGEST_BLOCK {

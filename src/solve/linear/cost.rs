@@ -1,0 +1,93 @@
+//! What factors take, as planned. See docs/theory.md, section 8.7.
+
+use crate::solve::linear::front::elimination_work;
+use crate::solve::linear::ordering::plan;
+use crate::system::System;
+use crate::work::{LINEARISATION, OF_FACTORS, PRODUCT, RESIDUAL};
+use nalgebra::Matrix6;
+use std::collections::BTreeSet;
+
+/// Multiply-adds that a factorisation may take for each number that is stored at a node and grid
+/// point, where iteration is the alternative: about what its products take.
+pub(crate) const AFFORDABLE: f64 = 1e4;
+/// Products of an iteration of Newton's method that is easy.
+const EASY_PRODUCTS: f64 = 30.0;
+
+/// What factors of the whole Jacobian take, as planned.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DirectCost {
+    /// Multiply-adds of one factorisation.
+    pub work: f64,
+    /// Bytes.
+    pub bytes: f64,
+}
+
+impl DirectCost {
+    /// Of nothing.
+    pub(crate) const NONE: Self = DirectCost {
+        work: 0.0,
+        bytes: 0.0,
+    };
+
+    /// Of the Jacobian of a system on a grid of so many points.
+    pub fn of(system: &System, points: usize) -> Self {
+        let nodes = system.nodes();
+        let mut sizes = vec![system.layout(points).of_node(); nodes];
+        let mut coupled = vec![BTreeSet::new(); nodes];
+        for placed in system.elements() {
+            let mut members = placed.element.nodes().to_vec();
+            if placed.element.own_unknowns() > 0 {
+                members.push(sizes.len());
+                sizes.push(placed.own_over(points).len());
+                coupled.push(BTreeSet::new());
+            }
+            for &a in &members {
+                coupled[a].extend(&members);
+            }
+        }
+        let size = |groups: &[usize]| groups.iter().map(|&g| sizes[g]).sum::<usize>();
+        let fronts = plan(&sizes, &coupled, nodes);
+        Self::of_fronts(fronts.iter().map(|f| (size(&f.own), size(&f.boundary))))
+    }
+
+    /// Of fronts that eliminate so many unknowns, and leave so many others.
+    pub(crate) fn of_fronts(fronts: impl Iterator<Item = (usize, usize)>) -> Self {
+        let (mut work, mut numbers) = (0.0, 0.0);
+        for (own, rest) in fronts {
+            work += elimination_work(own, rest);
+            numbers += (own * (own + 2 * rest)) as f64;
+        }
+        // The values themselves, and the largest fronts, come to about as much again.
+        DirectCost {
+            work,
+            bytes: 2.0 * numbers * size_of::<f64>() as f64,
+        }
+    }
+
+    /// Values of the Jacobian, at most.
+    pub(crate) fn values(&self) -> f64 {
+        0.5 * self.bytes / size_of::<f64>() as f64
+    }
+}
+
+/// Multiply-adds of an iteration of Newton's method on a grid of so many points that is easy: by
+/// factors or by few products, as costs less.
+pub(crate) fn easy_iteration(system: &System, points: usize) -> f64 {
+    let numbers = system.layout(points).motions().len() as f64;
+    let by_factors = DirectCost::of(system, points).work;
+    let solved = match by_factors < AFFORDABLE * numbers {
+        true => OF_FACTORS * by_factors,
+        false => by_factors.min(EASY_PRODUCTS * PRODUCT * numbers),
+    };
+    solved + (LINEARISATION + 2.0 * RESIDUAL) * numbers
+}
+
+/// Bytes of the tangents of all elements, about.
+pub(crate) fn tangent_bytes(system: &System, points: usize) -> f64 {
+    let pairs = system.elements().iter().map(|placed| {
+        let nodes = placed.element.nodes().len() as f64;
+        nodes * (nodes + placed.element.own_unknowns() as f64 / 6.0)
+    });
+    let matrices = 3.0 * size_of::<Matrix6<f64>>() as f64;
+    pairs.sum::<f64>() * matrices * points as f64
+}
