@@ -32,7 +32,7 @@ static void build(double tilt)
 {
     const double pi = 3.14159265358979323846, origin[3] = {0}, up[3] = {0, 0, 1};
     const double ball[9] = {0.1, 0, 0, 0, 0.1, 0, 0, 0, 0.1}, gravity[3] = {tilt, 0, -9.81};
-    const pdn_coordinate slides[3] = {PDN_DISPLACEMENT, PDN_DISPLACEMENT_2, PDN_DISPLACEMENT_3};
+    const int32_t slides[2] = {PDN_DISPLACEMENT, PDN_DISPLACEMENT_2};
     int32_t mast, support, shaft, spring;
     pdn_signal turn;
     PDN_INIT(pdn_signal, &turn);
