@@ -60,7 +60,7 @@ fn rotors_made_at_random_move_as_in_whole() {
             ..RotorKind::new(r.pick(&[3, 5, 7]), 1, r.percent(50))
         };
         let rotor = bladed_rotor(&kind);
-        let points = kind.blades * (30 / kind.blades | 1);
+        let points = kind.blades * ((30 / kind.blades) | 1);
         let whole = solve_by(&rotor.model, rotor.period, &by_factors(points));
         let reduced = solve_by(&rotor.symmetric(), rotor.period, &by_factors(points));
         let iterated = solve_by(&rotor.symmetric(), rotor.period, &by_iteration(points));

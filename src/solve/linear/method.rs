@@ -491,6 +491,7 @@ impl LinearSolver for Linear {
 mod tests {
     use super::*;
     use crate::fourier::TimeGrid;
+    use crate::system::System;
     use crate::test_models::small::one_blade;
     use std::sync::Arc;
 
