@@ -201,9 +201,10 @@ impl OfLikeBlades {
 
     /// What iteration took.
     pub(crate) fn record(&self) -> Option<&IterativeRecord> {
-        match &self.by {
-            By::Iteration(iteration) => Some(&iteration.iterative.record),
-            By::Factors(_) => None,
+        match (&self.by, &self.whole) {
+            (_, Some(whole)) if self.gave_up => whole.iteration(),
+            (By::Iteration(iteration), _) => Some(&iteration.iterative.record),
+            (By::Factors(_), _) => None,
         }
     }
 

@@ -455,6 +455,10 @@ impl LinearSolver for Linear {
         solver.solve_transposed(equations, rhs, accuracy, timings)
     }
 
+    fn iteration(&self) -> Option<&IterativeRecord> {
+        self.record()
+    }
+
     fn release(&mut self) {
         if let Active::Iterative(iterative) = &mut self.active {
             iterative.release();

@@ -5,6 +5,7 @@ use crate::error::Result;
 use crate::solve::linear::borders::Borders;
 use crate::solve::linear::diagnosis::Singularity;
 use crate::solve::linear::front::Held;
+use crate::solve::linear::iterative::IterativeRecord;
 use crate::solve::report::Timings;
 
 /// Accuracy of linear solves, relative to the increment: far from the solution and of simplified
@@ -110,6 +111,11 @@ pub(crate) trait LinearSolver {
     /// What was added to the equations that are solved, by factors of the last linearisation.
     fn held(&self) -> Vec<Held> {
         Vec::new()
+    }
+
+    /// What iteration took, if any was tried.
+    fn iteration(&self) -> Option<&IterativeRecord> {
+        None
     }
 
     /// Gives back memory that is only kept to spare taking it again.
