@@ -69,7 +69,7 @@ fn rotors_made_at_random_move_as_in_whole() {
         let off = [&reduced, &iterated].map(|one| difference(&whole, one));
         println!("{case}: {kind:?}: {off:?}, {products} products");
         assert!(off.iter().all(|off| *off < ROUNDING), "{case}: {off:?}");
-        // Given up for the whole, it would have taken 150.
+        // A solve that fails takes hundreds.
         assert!(*products < 30, "{case}: {products}");
         // Constraint forces, too: those of other blades are carried to frames of their own.
         let forces = |solution: &Solution| {
