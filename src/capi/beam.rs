@@ -3,7 +3,7 @@
 use super::call::Call;
 use super::guard::{guard, init};
 use super::line::{self, Line, pdn_line};
-use super::model::{next_id, node, pdn_model, vector};
+use super::model::{self, next_id, pdn_model, vector};
 use super::options::Options;
 use super::pointer::check_pointer;
 use super::section::{self, pdn_section, read_struct};
@@ -176,12 +176,7 @@ pub unsafe extern "C" fn pdn_model_add_beam_element(
         let mut model = call.exclusive(model, "model")?;
         check_pointer(nodes, 1, "nodes")?;
         Model::require_element_size("count", count)?;
-        let nodes = call
-            .slice(nodes, count, "nodes")?
-            .iter()
-            .enumerate()
-            .map(|(i, &id)| node(&model, id, &format!("nodes[{i}]")))
-            .collect::<Result<Vec<_>>>()?;
+        let nodes = model::nodes(call, &model, (nodes, count), "nodes")?;
         let section = section::read(call, section, "section")?;
         let element = call.out(element, "element")?;
         let id = next_id(model.beam_element_count(), 1, "element")?;

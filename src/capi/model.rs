@@ -61,6 +61,18 @@ pub(super) fn node(model: &Model, id: i32, name: &str) -> Result<usize> {
     index(id, model.node_count(), name, "a node id")
 }
 
+/// The nodes that an array of ids names, which may be of length 0.
+pub(super) fn nodes(
+    call: &Call,
+    model: &Model,
+    (ids, count): (*const i32, usize),
+    name: &str,
+) -> Result<Vec<usize>> {
+    let ids = call.slice(ids, count, name)?.iter().enumerate();
+    ids.map(|(i, &id)| node(model, id, &format!("{name}[{i}]")))
+        .collect()
+}
+
 /// The node that an id names, or the ground.
 pub(super) fn body(model: &Model, id: i32, name: &str) -> Result<Option<usize>> {
     if id == PDN_GROUND {

@@ -2,7 +2,7 @@
 
 use super::call::Call;
 use super::guard::guard;
-use super::model::{body, choose, next_id, node, pdn_model};
+use super::model::{self, body, choose, next_id, pdn_model};
 use super::pointer::check_pointer;
 use super::shell::{
     PDN_SHELL_EDGE_END_ETA, PDN_SHELL_EDGE_END_XI, PDN_SHELL_EDGE_START_ETA,
@@ -69,9 +69,7 @@ pub unsafe extern "C" fn pdn_model_add_rigid_joints(
             let expected = format!("1 to {} (the number of nodes)", model.node_count());
             return Err(Error::size("count", expected, count));
         }
-        let ids = call.slice(nodes, count, "nodes")?.iter().enumerate();
-        ids.map(|(i, &id)| node(model, id, &format!("nodes[{i}]")))
-            .collect()
+        model::nodes(call, model, (nodes, count), "nodes")
     })
 }
 

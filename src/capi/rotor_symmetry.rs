@@ -1,7 +1,7 @@
 //! Rotors whose blades are alike.
 
 use super::guard::guard;
-use super::model::{index, node, pdn_model};
+use super::model::{self, index, pdn_model};
 use super::status::pdn_status;
 use crate::error::{Error, ErrorKind};
 use nalgebra::Vector3;
@@ -62,13 +62,8 @@ pub unsafe extern "C" fn pdn_model_set_rotor_symmetry(
                 return Err(Error::size(name, expected, count));
             }
         }
-        let ids = |ids: &[i32], name: &str| {
-            let nodes = ids.iter().enumerate();
-            let nodes = nodes.map(|(i, &id)| node(&model, id, &format!("{name}[{i}]")));
-            nodes.collect::<Result<Vec<usize>, Error>>()
-        };
-        let nodes = ids(call.slice(nodes, count, "nodes")?, "nodes")?;
-        let hub = ids(call.slice(hub, hub_count, "hub")?, "hub")?;
+        let nodes = model::nodes(call, &model, (nodes, count), "nodes")?;
+        let hub = model::nodes(call, &model, (hub, hub_count), "hub")?;
         let blades = usize::try_from(blades).unwrap_or(0);
         let of_blade = nodes.len().checked_div(blades).unwrap_or(0);
         if of_blade == 0 || of_blade * blades != nodes.len() {

@@ -3,7 +3,7 @@
 use super::call::Call;
 use super::guard::{guard, init};
 use super::load::{components, load_frame};
-use super::model::{choose, index, next_id, node, pdn_model};
+use super::model::{self, choose, index, next_id, pdn_model};
 use super::options::Options;
 use super::pointer::check_pointer;
 use super::section::{read_struct, update_struct};
@@ -320,12 +320,7 @@ pub unsafe extern "C" fn pdn_model_add_shell_element(
         }
         let sides = [n_xi, count / n_xi];
         Model::require_shell_sides(sides)?;
-        let nodes = call
-            .slice(nodes, count, "nodes")?
-            .iter()
-            .enumerate()
-            .map(|(i, &id)| node(&model, id, &format!("nodes[{i}]")))
-            .collect::<Result<Vec<_>>>()?;
+        let nodes = model::nodes(call, &model, (nodes, count), "nodes")?;
         let (section, placement) = read_shell(call, section, placement)?;
         let element = call.out(element, "element")?;
         let id = next_id(model.shell_element_count(), 1, "element")?;

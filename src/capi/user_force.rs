@@ -6,7 +6,7 @@ use super::force::add_force;
 use super::guard::{guard, init};
 use super::joint::joint_coordinate;
 use super::load::{PDN_FORCE_1, load_frame};
-use super::model::{node, pdn_model};
+use super::model::{self, pdn_model};
 use super::options::Options;
 use super::pointer::check_pointer;
 use super::status::pdn_status;
@@ -274,12 +274,7 @@ pub unsafe extern "C" fn pdn_model_add_user_force(
             let expected = format!("1 to {} (the number of nodes)", model.node_count());
             return Err(Error::size("count", expected, count));
         }
-        let nodes = call
-            .slice(nodes, count, "nodes")?
-            .iter()
-            .enumerate()
-            .map(|(i, &id)| node(model, id, &format!("nodes[{i}]")))
-            .collect::<Result<Vec<_>>>()?;
+        let nodes = model::nodes(call, model, (nodes, count), "nodes")?;
         // All that could be refused comes before `user_data` is taken over.
         model.require_distinct_nodes(&nodes)?;
         let frame = load_frame(frame)?;

@@ -52,8 +52,8 @@ impl Symmetry {
             ));
         }
         let blades = rotor.blades().len();
-        let rotation = rotation_from_vector(&(rotor.axis() * (TAU / blades as f64)));
-        let turn = Motion::new(rotation, rotor.point() - rotation * rotor.point());
+        let axis = [rotor.axis(), rotor.point()];
+        let turn = turn(axis, 1.0 / blades as f64);
         let mut nodes: Vec<usize> = (0..system.nodes()).collect();
         let mut carries = vec![Motion::identity(); system.nodes()];
         let mut carry = |node: usize, image: usize| {
@@ -86,7 +86,7 @@ impl Symmetry {
             nodes,
             carries,
             elements,
-            axis: [rotor.axis(), rotor.point()],
+            axis,
             carries_of_own: OnceLock::new(),
         })
     }
@@ -98,10 +98,14 @@ impl Symmetry {
         if is_still {
             return *reference;
         }
-        let [axis, point] = self.axis;
-        let rotation = rotation_from_vector(&(axis * (TAU * fraction)));
-        Motion::new(rotation, point - rotation * point).compose(reference)
+        turn(self.axis, fraction).compose(reference)
     }
+}
+
+/// A part of a whole turn about an axis of this direction through a point.
+fn turn([axis, point]: [Vector3<f64>; 2], fraction: f64) -> Motion {
+    let rotation = rotation_from_vector(&(axis * (TAU * fraction)));
+    Motion::new(rotation, point - rotation * point)
 }
 
 impl System {

@@ -1,7 +1,7 @@
 //! How hub and supports of a rotor of like blades may move (docs/theory.md, section 8.10).
 
 use crate::system::Layout;
-use nalgebra::{Complex, Matrix6, Vector6};
+use nalgebra::{Complex, DMatrix, Matrix6, Vector6};
 use std::f64::consts::TAU;
 
 /// Motions that are alike: `u(t) = T u(t + T/B)`, scaled, of the nodes of hub and supports; none of
@@ -9,36 +9,41 @@ use std::f64::consts::TAU;
 #[derive(Debug, Clone)]
 pub struct AlikeMotions {
     blades: usize,
-    nodes: Vec<Option<Matrix6<f64>>>,
+    nodes: Vec<Option<Step>>,
+}
+
+/// What a part of the period makes of the increments of a node.
+#[derive(Debug, Clone)]
+pub struct Step {
+    /// `T`.
+    pub forth: Matrix6<f64>,
+    /// `T⁻¹`.
+    pub back: Matrix6<f64>,
 }
 
 impl AlikeMotions {
-    /// Of so many blades, with `T` of each node of hub and supports.
-    pub(super) fn new(blades: usize, nodes: Vec<Option<Matrix6<f64>>>) -> Self {
+    /// Of so many blades, with the steps of the nodes of hub and supports.
+    pub(super) fn new(blades: usize, nodes: Vec<Option<Step>>) -> Self {
         AlikeMotions { blades, nodes }
     }
 
-    /// The number of blades.
-    pub fn blades(&self) -> usize {
-        self.blades
-    }
-
-    /// `T` of a node of hub and supports.
-    pub fn of_node(&self, node: usize) -> Option<&Matrix6<f64>> {
+    /// That of a node of hub and supports.
+    pub fn of_node(&self, node: usize) -> Option<&Step> {
         self.nodes[node].as_ref()
     }
 
-    /// What a harmonic of a node's motions may be: the projection on it; none if it may be any.
-    pub fn projection(&self, node: usize, harmonic: usize) -> Option<Matrix6<Complex<f64>>> {
-        let step = self.nodes[node]?.map(Complex::from);
+    /// What harmonic `h` of functions `u(t) = S u(t + T/B)` may be: the projection on it,
+    /// `(1/B) Σ (S exp(2πi h/B))^q`.
+    pub fn projection(&self, step: &DMatrix<f64>, harmonic: usize) -> DMatrix<Complex<f64>> {
         let turn = Complex::from_polar(1.0, TAU * harmonic as f64 / self.blades as f64);
-        let mut power = Matrix6::identity();
-        let mut sum = Matrix6::zeros();
+        let step = step.map(|x| turn * x);
+        let mut power = DMatrix::identity(step.nrows(), step.ncols());
+        let mut sum = DMatrix::zeros(step.nrows(), step.ncols());
         for _ in 0..self.blades {
-            sum += power;
-            power = power * step * turn;
+            sum += &power;
+            power *= &step;
         }
-        Some(sum / Complex::from(self.blades as f64))
+        sum / Complex::from(self.blades as f64)
     }
 
     /// Takes from forces on the nodes what does no work on motions that are alike.
@@ -48,21 +53,32 @@ impl AlikeMotions {
             let Some(step) = step else {
                 continue;
             };
-            let Some(back) = step.try_inverse() else {
-                continue;
-            };
             for k in 0..part {
-                let at = |q: usize| layout.motion(node, k + q * part);
                 // f(t) = T⁻ᵀ f(t + T/B)
                 let mut sum = Vector6::zeros();
                 for q in (0..self.blades).rev() {
-                    sum = back.tr_mul(&sum) + Vector6::from_column_slice(&forces[at(q)]);
+                    let here =
+                        Vector6::from_column_slice(&forces[layout.motion(node, k + q * part)]);
+                    sum = step.back.tr_mul(&sum) + here;
                 }
-                sum /= self.blades as f64;
-                for q in 0..self.blades {
-                    forces[at(q)].copy_from_slice(sum.as_slice());
-                    sum = step.tr_mul(&sum);
-                }
+                let mean = sum / self.blades as f64;
+                forces[layout.motion(node, k)].copy_from_slice(mean.as_slice());
+            }
+        }
+        self.repeat(layout, forces);
+    }
+
+    /// Lets the forces on hub and supports be alike in all parts of the period, from the first.
+    pub(super) fn repeat(&self, layout: Layout, forces: &mut [f64]) {
+        let part = layout.points() / self.blades;
+        for (node, step) in self.nodes.iter().enumerate() {
+            let Some(step) = step else {
+                continue;
+            };
+            for k in part..layout.points() {
+                let before = Vector6::from_column_slice(&forces[layout.motion(node, k - part)]);
+                let here = step.forth.tr_mul(&before);
+                forces[layout.motion(node, k)].copy_from_slice(here.as_slice());
             }
         }
     }

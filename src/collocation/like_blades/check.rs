@@ -1,14 +1,14 @@
 //! Whether blades are alike in all that acts on them, and what carries constraint forces from one
 //! to the next: both are found by evaluating the elements.
 
-use super::LikeBlades;
+use super::{LikeBlades, scaled_adjoint};
 use crate::collocation::problem::Collocation;
 use crate::collocation::state::GridState;
 use crate::collocation::tangent::Tangent;
 use crate::error::Result;
 use crate::fourier::TimeGrid;
 use crate::system::{ElementRole, Symmetry, System, describe_role, not_alike};
-use nalgebra::{DMatrix, DVector, Matrix6, Vector6};
+use nalgebra::{DMatrix, DVector, Vector6};
 use std::collections::HashMap;
 use std::mem::{Discriminant, discriminant};
 use std::sync::Arc;
@@ -19,8 +19,6 @@ const POINTS: usize = 3;
 const ALIKE: f64 = 1e-7;
 /// Forces that small, relative to the largest of all, are none.
 const NOTHING: f64 = 1e-12;
-/// What carries differs from nothing by rounding only.
-const SAME: f64 = 1e-12;
 /// Turns, and displacements relative to the size of the model, of the motion that is tried.
 const TRIED: f64 = 0.01;
 
@@ -114,10 +112,7 @@ fn carries(
     let mut tangent = Tangent::new(&system, points);
     tangent.evaluate(equations, state)?;
     let scales = equations.column_scale()[..6].to_vec();
-    let carry_of = |node: usize| {
-        let adjoint = symmetry.carries[node].adjoint();
-        Matrix6::from_fn(|i, j| adjoint[(i, j)] * scales[j] / scales[i])
-    };
+    let length = system.scales().length;
     // `∂constraint/∂u` with scaled rows and columns.
     let gradient = |index: usize, k: usize| {
         let placed = &system.elements()[index];
@@ -153,7 +148,8 @@ fn carries(
             let here = gradient(image, k);
             let mut there = gradient(index, (k + part) % points);
             for (local, &node) in placed.element.nodes().iter().enumerate() {
-                let carried = there.columns(6 * local, 6) * carry_of(node);
+                let carry = scaled_adjoint(&symmetry.carries[node], length);
+                let carried = there.columns(6 * local, 6) * carry;
                 there.columns_mut(6 * local, 6).copy_from(&carried);
             }
             let carry = match &found {
@@ -171,10 +167,7 @@ fn carries(
                 return Err(refuse());
             }
         }
-        let is_same = |carry: &DMatrix<f64>| {
-            (carry - DMatrix::identity(carry.nrows(), carry.ncols())).amax() < SAME
-        };
-        carries.push(found.filter(|carry| !is_same(carry)));
+        carries.push(found);
     }
     Ok(carries)
 }
@@ -252,12 +245,12 @@ fn require_alike(
     require_like_demands(equations.system(), symmetry, carries, &all.asked)?;
     let forces = all.acting.iter().flat_map(|acting| &acting.forces);
     let largest = forces.fold(0.0f64, |most, forces| most.max(forces.amax()));
-    let scales = &equations.column_scale()[..6];
+    let length = equations.system().scales().length;
     for acting in &all.acting {
         let images = acting.nodes.iter().map(|&node| symmetry.nodes[node]);
         let key = (discriminant(&acting.role), images.collect());
         let image = all.places.get(&key).map(|&i| &all.acting[i]);
-        acting.require_like((image, largest), symmetry, scales)?;
+        acting.require_like((image, largest), symmetry, length)?;
     }
     Ok(())
 }
@@ -269,7 +262,7 @@ impl Acting {
         &self,
         (image, largest): (Option<&Acting>, f64),
         symmetry: &Symmetry,
-        scales: &[f64],
+        length: f64,
     ) -> Result<()> {
         let Acting {
             role,
@@ -281,8 +274,7 @@ impl Acting {
             let there = &forces[(k + points / symmetry.blades) % points];
             let mut off = 0.0f64;
             for (local, &node) in nodes.iter().enumerate() {
-                let adjoint = symmetry.carries[node].adjoint();
-                let carry = Matrix6::from_fn(|i, j| adjoint[(i, j)] * scales[j] / scales[i]);
+                let carry = scaled_adjoint(&symmetry.carries[node], length);
                 let carried = carry.tr_mul(&there.fixed_rows::<6>(6 * local));
                 let here = image.map_or(Vector6::zeros(), |image| {
                     image.forces[k].fixed_rows::<6>(6 * local).into_owned()

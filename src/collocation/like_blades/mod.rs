@@ -39,6 +39,13 @@ pub struct Carry {
     pub increment: Matrix6<f64>,
 }
 
+/// `Ad(C)` for scaled increments.
+fn scaled_adjoint(motion: &Motion, length: f64) -> Matrix6<f64> {
+    let scale = |i: usize| if i < 3 { length } else { 1.0 };
+    let adjoint = motion.adjoint();
+    Matrix6::from_fn(|i, j| adjoint[(i, j)] * scale(j) / scale(i))
+}
+
 /// The unknowns that are left, in order: for each leading node the increments of its motion at one
 /// grid point of its parts after the other, then the own unknowns of each leading element.
 ///
@@ -78,10 +85,7 @@ impl LikeBlades {
             let once = symmetry.carries[chain.first().copied().unwrap_or(back.0)].inverse();
             let motion = (0..back.1).fold(Motion::identity(), |sum, _| sum.compose(&once));
             let motion = motion.compose(&forth);
-            let length = system.scales().length;
-            let scale = |i: usize| if i < 3 { length } else { 1.0 };
-            let adjoint = motion.inverse().adjoint();
-            let increment = Matrix6::from_fn(|i, j| adjoint[(i, j)] * scale(j) / scale(i));
+            let increment = scaled_adjoint(&motion.inverse(), system.scales().length);
             let is_same = (increment - Matrix6::identity()).amax() < SAME;
             (!is_same).then_some(Carry { motion, increment })
         });
@@ -191,38 +195,23 @@ impl LikeBlades {
         (first + count * point, carry.as_ref())
     }
 
-    /// The mean of what the followers of each leader have for its equations.
-    pub(crate) fn gathered(&self, system: &System, layout: Layout, all: &[f64]) -> Vec<f64> {
-        self.weighted(system, layout, all, |_| 1.0 / self.blades as f64)
-    }
-
-    /// What tells equations of followers from those of their leaders: zero where there is nothing.
-    pub(crate) fn disparity(&self, system: &System, layout: Layout, all: &[f64]) -> Vec<f64> {
-        // Different for any two of a leader's followers, and no more than their sum.
-        let blades = self.blades as f64;
-        self.weighted(system, layout, all, |q| {
-            (2.0 * q as f64 + 1.0 - blades) / blades
-        })
-    }
-
-    /// `Σ w_q Eᵀ`, with a weight for each part of the period.
-    fn weighted(
-        &self,
-        system: &System,
-        layout: Layout,
-        all: &[f64],
-        weight: impl Fn(usize) -> f64,
-    ) -> Vec<f64> {
-        let mut left = vec![0.0; self.size];
+    /// The mean of what the followers of each leader have for its equations, and what tells these
+    /// apart: zero where there is nothing.
+    pub(crate) fn gathered(&self, system: &System, layout: Layout, all: &[f64]) -> [Vec<f64>; 2] {
         let points = layout.points();
+        let weights = self.weights();
+        let mut sums = [vec![0.0; self.size], vec![0.0; self.size]];
+        let mut add = |at: usize, part: usize, row: f64| {
+            sums[0][at] += row / self.blades as f64;
+            sums[1][at] += row * weights[part];
+        };
         for node in 0..self.nodes.len() {
             for k in 0..points {
                 let (first, carry) = self.node_at(node, k);
                 let rows = Vector6::from_column_slice(&all[layout.motion(node, k)]);
                 let rows = carry.map_or(rows, |carry| carry.tr_mul(&rows));
-                let weight = weight(k / self.part);
-                let sums = left[first..].iter_mut().zip(&rows);
-                sums.for_each(|(sum, x)| *sum += weight * x);
+                let rows = rows.iter().enumerate();
+                rows.for_each(|(i, row)| add(first + i, k / self.part, *row));
             }
         }
         for (index, placed) in system.elements().iter().enumerate() {
@@ -230,17 +219,24 @@ impl LikeBlades {
             for k in 0..if count > 0 { points } else { 0 } {
                 let (first, carry) = self.element_at(index, count, k);
                 let rows = &all[layout.element_at(placed, k)];
-                let weight = weight(k / self.part);
-                for (i, sum) in left[first..][..count].iter_mut().enumerate() {
+                for i in 0..count {
                     let row = match carry {
                         Some(carry) => carry.column(i).iter().zip(rows).map(|(c, x)| c * x).sum(),
                         None => rows[i],
                     };
-                    *sum += weight * row;
+                    add(first + i, k / self.part, row);
                 }
             }
         }
-        left
+        sums
+    }
+
+    /// Weights of the parts of the period whose sum is zero, without structure: what differs from
+    /// part to part in an orderly way does not cancel.
+    fn weights(&self) -> Vec<f64> {
+        let spread = |q: usize| (0.618_033_988_75 * (q + 1) as f64).fract();
+        let mean = (0..self.blades).map(spread).sum::<f64>() / self.blades as f64;
+        (0..self.blades).map(|q| spread(q) - mean).collect()
     }
 
     /// `E`: writes all unknowns from those that are left.

@@ -1,12 +1,13 @@
 //! One blade with its share of hub and supports, for solvers that iterate: a system of its own over
 //! the whole period, whose hub and supports may only move alike (docs/theory.md, section 8.10).
 
-use super::{AlikeMotions, LikeBlades};
+use super::alike::{AlikeMotions, Step};
+use super::{LikeBlades, scaled_adjoint};
 use crate::collocation::problem::Collocation;
 use crate::collocation::state::GridState;
 use crate::error::Result;
 use crate::system::{Symmetry, System};
-use nalgebra::{DMatrix, Matrix6, Vector6};
+use nalgebra::{DMatrix, DVector};
 use std::sync::Arc;
 
 /// The system of one blade.
@@ -19,6 +20,9 @@ pub struct OneBlade {
     elements: Vec<usize>,
     /// Of each element, whether it acts on hub and supports alone.
     is_shared: Vec<bool>,
+    /// Of each element and part of the period: what carries its own unknowns back to its leader's;
+    /// none where they are the same.
+    back: Vec<Vec<Option<DMatrix<f64>>>>,
 }
 
 impl OneBlade {
@@ -63,20 +67,30 @@ impl OneBlade {
         let part = system.part_of_shares(&nodes, &elements, share);
         let mut equations = Collocation::new(Arc::new(part), whole.grid())?;
         equations.set_workers(whole.workers().clone());
-        let scales = &whole.column_scale()[..6];
+        let length = system.scales().length;
         let step = |&node: &usize| {
-            is_shared(node).then(|| {
-                let adjoint = symmetry.carries[node].inverse().adjoint();
-                Matrix6::from_fn(|i, j| adjoint[(i, j)] * scales[j] / scales[i])
+            let carry = &symmetry.carries[node];
+            is_shared(node).then(|| Step {
+                forth: scaled_adjoint(&carry.inverse(), length),
+                back: scaled_adjoint(carry, length),
             })
         };
         let steps = nodes.iter().map(step).collect();
         equations.set_alike(AlikeMotions::new(symmetry.blades, steps));
+        let back = |&index: &usize| {
+            let parts = left.elements[index].parts.iter();
+            let inverse = |carry: &DMatrix<f64>| carry.clone().try_inverse();
+            parts
+                .map(|(_, carry)| carry.as_ref().and_then(inverse))
+                .collect()
+        };
+        let back = elements.iter().map(back).collect();
         Ok(Some(OneBlade {
             equations,
             nodes,
             elements,
             is_shared: is_shared_element,
+            back,
         }))
     }
 
@@ -131,20 +145,21 @@ impl OneBlade {
         let (system, layout) = (self.equations.system(), self.equations.layout());
         let share = 1.0 / left.blades as f64;
         let mut all = vec![0.0; self.equations.size()];
+        let alike = self.equations.alike();
         for (i, &node) in self.nodes.iter().enumerate() {
-            let factor = match self.equations.alike().and_then(|a| a.of_node(i)) {
+            let factor = match alike.and_then(|alike| alike.of_node(i)) {
                 Some(_) => share,
                 None => 1.0,
             };
-            for k in 0..layout.points() {
-                let (first, carry) = left.node_at(node, k);
-                let x = Vector6::from_column_slice(&rows[first..][..6]) * factor;
-                let x = match carry.and_then(|carry| carry.try_inverse()) {
-                    Some(back) => back.tr_mul(&x),
-                    None => x,
-                };
-                all[layout.motion(i, k)].copy_from_slice(x.as_slice());
+            let (first, parts) = left.node_places[node].unwrap_or_default();
+            for k in 0..parts * left.part {
+                let from = rows[first + 6 * k..][..6].iter();
+                let to = all[layout.motion(i, k)].iter_mut();
+                to.zip(from).for_each(|(to, x)| *to = factor * x);
             }
+        }
+        if let Some(alike) = alike {
+            alike.repeat(layout, &mut all);
         }
         for (i, (placed, &index)) in system.elements().iter().zip(&self.elements).enumerate() {
             let count = placed.element.own_unknowns();
@@ -153,9 +168,9 @@ impl OneBlade {
                 false => 1.0,
             };
             for k in 0..if count > 0 { layout.points() } else { 0 } {
-                let (first, carry) = left.element_at(index, count, k);
-                let x = DMatrix::from_column_slice(count, 1, &rows[first..][..count]) * factor;
-                let x = match carry.and_then(|carry| carry.clone().try_inverse()) {
+                let (first, _) = left.element_at(index, count, k);
+                let x = DVector::from_column_slice(&rows[first..][..count]) * factor;
+                let x = match &self.back[i][k / left.part] {
                     Some(back) => back.tr_mul(&x),
                     None => x,
                 };

@@ -5,7 +5,7 @@ use crate::collocation::rule::RuleWorkspace;
 use crate::collocation::state::GridState;
 use crate::elements::{Element, Inertia, InertialForces, NodeState};
 use crate::error::{Error, ErrorKind, Result};
-use crate::system::{Conditions, ElementRole, OwnValues, Placed};
+use crate::system::{Conditions, OwnValues, Placed, describe_role};
 use nalgebra::{DVector, Vector6};
 
 impl Collocation {
@@ -138,11 +138,6 @@ impl Collocation {
 }
 
 fn unknown(placed: &Placed) -> Error {
-    let what = match placed.role {
-        ElementRole::Force(index) => format!("force {index}"),
-        ElementRole::Load => "a load".into(),
-        _ => "an element".into(),
-    };
-    let message = format!("{what} has no energy that is known");
+    let message = format!("{} has no energy that is known", describe_role(placed.role));
     Error::new(ErrorKind::NotAvailable, message)
 }

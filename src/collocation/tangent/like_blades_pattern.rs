@@ -57,9 +57,9 @@ impl LikeBladesPattern {
         self.node_groups
     }
 
-    /// All entries, by dense panels.
-    pub fn panels(&self) -> &[Panel] {
-        &self.panels
+    /// All entries, by dense panels; handed out once.
+    pub fn take_panels(&mut self) -> Vec<Panel> {
+        std::mem::take(&mut self.panels)
     }
 
     /// Number of values.

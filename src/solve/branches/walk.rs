@@ -373,7 +373,9 @@ fn solver(
     let mut equations = Collocation::new(system.clone(), grid)?;
     equations.set_workers(workers.clone());
     equations.set_scalars(Arc::new(conditioned.clone()));
-    let mut newton = Newton::bordered(equations, options.periodic.linear);
+    // Blades that move alike are no premise here: a branch may leave them.
+    let linear = Linear::new(&equations, options.periodic.linear);
+    let mut newton = Newton::bordered(equations, linear);
     newton.chords = CHORDS;
     Ok(newton)
 }

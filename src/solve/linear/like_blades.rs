@@ -12,6 +12,7 @@ use crate::solve::linear::cost::DirectCost;
 use crate::solve::linear::dense::{largest, probe};
 use crate::solve::linear::diagnosis::Singularity;
 use crate::solve::linear::direct::DirectSolver;
+use crate::solve::linear::front::Held;
 use crate::solve::linear::iterative::{Iterative, IterativeRecord, Preconditioner};
 use crate::solve::linear::solver::{ESTIMATE, LinearSolver};
 use crate::solve::report::{Timings, timed};
@@ -63,15 +64,17 @@ pub(crate) struct OfLikeBlades {
     whole: Option<Box<dyn LinearSolver>>,
     /// Whether what is left could not be solved, so that all are.
     gave_up: bool,
+    /// Whether factors may be those of what is held; of the whole then.
+    holds: bool,
 }
 
 impl Factors {
     fn new(equations: &Collocation, left: &LikeBlades) -> Self {
         let system = equations.system();
         let tangent = Tangent::at_points(system, equations.grid().points(), left.wanted(system));
-        let pattern = LikeBladesPattern::new(system, &tangent, left);
+        let mut pattern = LikeBladesPattern::new(system, &tangent, left);
         let groups = pattern.groups().to_vec();
-        let panels = pattern.panels().to_vec();
+        let panels = pattern.take_panels();
         let mut solver = DirectSolver::of_panels(groups, pattern.node_groups(), panels);
         solver.set_workers(equations.workers().clone());
         Factors {
@@ -188,6 +191,7 @@ impl OfLikeBlades {
             new_whole,
             whole: None,
             gave_up: false,
+            holds: false,
         }
     }
 
@@ -267,8 +271,7 @@ impl OfLikeBlades {
         timings: &mut Timings,
     ) -> Result<Option<bool>> {
         let (system, layout) = (equations.system(), equations.layout());
-        let mut x = self.left.gathered(system, layout, rhs);
-        let mut apart = self.left.disparity(system, layout, rhs);
+        let [mut x, mut apart] = self.left.gathered(system, layout, rhs);
         let is_apart = largest(&apart) > ALIKE * largest(&x);
         if !self.solve_for(&mut x, accuracy, timings)? {
             return Ok(Some(false));
@@ -305,24 +308,25 @@ impl LinearSolver for OfLikeBlades {
     ) -> Result<bool> {
         self.whole = None;
         self.last = Some(state.clone());
-        let done = match &mut self.by {
-            By::Factors(factors) => {
-                return factors.linearise(equations, &self.left, state, timings);
+        if !self.gave_up {
+            match &mut self.by {
+                By::Factors(factors) => {
+                    return factors.linearise(equations, &self.left, state, timings);
+                }
+                // Its share of what is added, or of compliance, is not that of the whole.
+                By::Iteration(_) if equations.grounding() != 0.0 || equations.is_regularised() => {}
+                By::Iteration(iteration) => {
+                    if iteration.linearise(equations, &self.left, state, timings)? {
+                        // Of the whole, what is left is not known yet.
+                        equations.forget_linearised_residual();
+                        return Ok(true);
+                    }
+                }
             }
-            // Its share of what is added, or of compliance, is not that of the whole.
-            By::Iteration(_) if equations.grounding() != 0.0 || equations.is_regularised() => false,
-            By::Iteration(_) if self.gave_up => false,
-            By::Iteration(iteration) => {
-                iteration.linearise(equations, &self.left, state, timings)?
-            }
-        };
-        if done {
-            // Of the whole, what is left is not known yet.
-            equations.forget_linearised_residual();
-            return Ok(true);
         }
         self.gave_up = true;
         let mut whole = (self.new_whole)(equations);
+        whole.set_holds(self.holds);
         let done = whole.linearise(equations, state, timings)?;
         self.whole = Some(whole);
         Ok(done)
@@ -367,6 +371,25 @@ impl LinearSolver for OfLikeBlades {
         self.solve_whole(equations, timings, |whole, equations, timings| {
             whole.solve_transposed(equations, rhs, accuracy, timings)
         })
+    }
+
+    fn has_compliance(&self) -> bool {
+        match &self.whole {
+            Some(whole) if self.gave_up => whole.has_compliance(),
+            _ => true,
+        }
+    }
+
+    fn set_holds(&mut self, holds: bool) {
+        self.holds = holds;
+        self.gave_up |= holds;
+    }
+
+    fn held(&self) -> Vec<Held> {
+        match &self.whole {
+            Some(whole) if self.gave_up => whole.held(),
+            _ => Vec::new(),
+        }
     }
 
     fn release(&mut self) {

@@ -4,7 +4,7 @@ use super::Newton;
 use crate::collocation::{Collocation, GridState};
 use crate::error::{Error, Result};
 use crate::solve::linear::bordered::Bordered;
-use crate::solve::linear::method::{Linear, LinearMethod, Plan};
+use crate::solve::linear::method::{Linear, LinearMethod};
 use crate::solve::report::{Iteration, NewtonOptions, NewtonReport};
 
 /// Solves equations that have scalar unknowns, such as a period or the size of a load, and scalar
@@ -25,14 +25,14 @@ pub fn solve_with_scalars(
         let expected = "no oversampling where there are scalar unknowns";
         return Err(Error::value("equations", expected, "oversampled ones"));
     }
-    Newton::bordered(equations, method).solve(state, options, observe)
+    let linear = Linear::new(&equations, method);
+    Newton::bordered(equations, linear).solve(state, options, observe)
 }
 
 impl Newton<Bordered<Linear>> {
-    /// A solver for equations that have scalar unknowns; `method` solves those of the grid.
-    pub(crate) fn bordered(equations: Collocation, method: LinearMethod) -> Self {
-        let plan = Plan::of_symmetric(&equations, method, f64::INFINITY);
-        let linear = Bordered::new(&equations, Linear::planned(&equations, plan));
+    /// A solver for equations that have scalar unknowns; `linear` solves those of the grid.
+    pub(crate) fn bordered(equations: Collocation, linear: Linear) -> Self {
+        let linear = Bordered::new(&equations, linear);
         Newton::with(equations, linear)
     }
 }

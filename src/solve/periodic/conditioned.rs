@@ -10,6 +10,7 @@ use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
 use crate::solve::conditions::{Condition, Conditioned, Free};
+use crate::solve::linear::method::{Linear, Plan};
 use crate::solve::newton::Newton;
 use crate::solve::report::{Iteration, NewtonReport, Outcome, Timings};
 use crate::solve::result::{GridTried, Kind, PeriodicRecord, Solved};
@@ -173,7 +174,9 @@ impl ConditionedSolve<'_> {
         let conditioned = conditioned.under(self.conditions, &equations, state)?;
         state.scalars = conditioned.values(grid.period())?;
         equations.set_scalars(Arc::new(conditioned.clone()));
-        let mut newton = Newton::bordered(equations, self.options.linear);
+        let plan = Plan::of_symmetric(&equations, self.options.linear, f64::INFINITY);
+        let linear = Linear::planned(&equations, plan);
+        let mut newton = Newton::bordered(equations, linear);
         let solved = newton.solve(state, &self.options.newton, observe);
         self.timings = self.timings + newton.timings;
         self.iterations += newton.iterations;

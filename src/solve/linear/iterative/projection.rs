@@ -7,8 +7,7 @@ use super::lanes::{ComplexLanes, Lanes};
 use super::mean::Averages;
 use crate::collocation::AlikeMotions;
 use crate::system::Placed;
-use nalgebra::{Complex, DMatrix, Matrix6};
-use std::f64::consts::TAU;
+use nalgebra::{Complex, DMatrix};
 
 /// How stiffly what motions may not do is held, relative to the largest entry of all.
 const HELD: f64 = 1.0;
@@ -23,7 +22,11 @@ impl Averages<'_> {
         lane: usize,
         harmonic: usize,
     ) {
-        let of_node = |node: usize| alike.projection(node, harmonic).map(to_dynamic);
+        let of_node = |node: usize| {
+            let step = alike.of_node(node)?.forth.as_slice();
+            let step = DMatrix::from_column_slice(6, 6, step);
+            Some(alike.projection(&step, harmonic))
+        };
         let structure = &self.layout.structure;
         let mut largest = 1.0f64;
         for coupling in self.couplings {
@@ -72,33 +75,19 @@ fn own_projection(
         .map(|&node| alike.of_node(node))
         .collect();
     let (steps, g) = (steps?, &average.gradient);
-    let count = g.nrows();
     let step = match placed.has_states {
-        true => DMatrix::identity(count, count),
+        true => DMatrix::identity(g.nrows(), g.nrows()),
         false => {
             // Gᵀ λ(t) = T⁻ᵀ Gᵀ λ(t + T/B)
             let mut carried = g.clone();
             for (local, step) in steps.iter().enumerate() {
-                let back = step.try_inverse()?;
-                let columns = g.columns(6 * local, 6) * back;
+                let columns = g.columns(6 * local, 6) * step.back;
                 carried.columns_mut(6 * local, 6).copy_from(&columns);
             }
             (g * g.transpose()).try_inverse()? * g * carried.transpose()
         }
     };
-    let (step, blades) = (step.map(Complex::from), alike.blades());
-    let turn = Complex::from_polar(1.0, TAU * harmonic as f64 / blades as f64);
-    let mut power = DMatrix::<Complex<f64>>::identity(count, count);
-    let mut sum = DMatrix::<Complex<f64>>::zeros(count, count);
-    for _ in 0..blades {
-        sum += &power;
-        power = power * &step * turn;
-    }
-    Some(sum / Complex::from(blades as f64))
-}
-
-fn to_dynamic(m: Matrix6<Complex<f64>>) -> DMatrix<Complex<f64>> {
-    DMatrix::from_column_slice(6, 6, m.as_slice())
+    Some(alike.projection(&step, harmonic))
 }
 
 /// `Πᴴ A Π` of a block, with what its rows and columns may be, and `1 − Π` added, times a
