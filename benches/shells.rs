@@ -6,6 +6,9 @@
 //!
 //!     cargo bench --bench shells [-- --case METHOD ELEMENTS NODES]
 //!
+//! One of 1e5 unknowns a point, which takes half an hour on two threads, and up to 20 GiB:
+//! `cargo bench --bench shells -- --case two_threads 91 3`.
+//!
 //! And modes of thin square plates on fine meshes of few nodes a side, beside the figures of an
 //! independent program for the same meshes: `cargo bench --bench shells -- --modes`.
 
@@ -53,6 +56,7 @@ fn run(method: &str, elements: usize, nodes: usize) {
         },
         // However much they take.
         work_limit: 0.0,
+        threads: if method == "two_threads" { 2 } else { 1 },
         ..PeriodicOptions::with_grid_points(POINTS)
     };
     let start = Instant::now();

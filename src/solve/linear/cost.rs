@@ -1,5 +1,7 @@
 //! What factors take, as planned. See docs/theory.md, section 8.7.
 
+use crate::elements::StrainTangent;
+use crate::motion::DualVector;
 use crate::solve::linear::front::elimination_work;
 use crate::solve::linear::ordering::plan;
 use crate::system::System;
@@ -80,6 +82,53 @@ pub(crate) fn easy_iteration(system: &System, points: usize) -> f64 {
         false => by_factors.min(EASY_PRODUCTS * PRODUCT * numbers),
     };
     solved + (LINEARISATION + 2.0 * RESIDUAL) * numbers
+}
+
+/// Vectors that iteration keeps at least, and those that a solve takes beside them.
+const VECTORS: f64 = 32.0;
+/// Bytes of the matrices of eight harmonics, by which a preconditioner is filled, for each entry.
+const FILLED: f64 = 8.0 * 16.0;
+/// Bytes of means over time of a pair of nodes.
+const MEANS: f64 = 5.0 * size_of::<Matrix6<f64>>() as f64;
+/// Bytes for each pair of nodes of a station, by which one finds the other.
+const FOUND: f64 = 40.0;
+
+/// Bytes of a solve by iteration, at most about: of tangents, of those of stress resultants, of a
+/// preconditioner and of few vectors. `factors` are those of the whole Jacobian.
+pub(crate) fn iteration_bytes(system: &System, points: usize, factors: DirectCost) -> f64 {
+    let instants = points as f64;
+    let (mut pairs, mut strains, mut stations) = (0.0, 0.0, 0.0);
+    let mut found = 0.0;
+    let mut coupled = vec![BTreeSet::<usize>::new(); system.nodes()];
+    for placed in system.elements() {
+        let nodes = placed.element.nodes();
+        let laws = placed.element.stress_laws().len() as f64;
+        let count = nodes.len() as f64;
+        strains += laws * count;
+        stations += laws;
+        found += (laws + 1.0) * count * count;
+        pairs += count * placed.element.own_unknowns() as f64 / 6.0;
+        for &node in nodes {
+            coupled[node].extend(nodes);
+        }
+    }
+    pairs += coupled
+        .iter()
+        .map(|others| others.len() as f64)
+        .sum::<f64>();
+    let matrix = size_of::<Matrix6<f64>>() as f64;
+    let tangents = pairs * 3.0 * matrix
+        + strains * size_of::<StrainTangent>() as f64
+        + stations * size_of::<DualVector>() as f64;
+    let unknowns = system.layout(points).motions().len() as f64 + 6.0 * stations * instants;
+    // As many matrices as there are grid points, or half as many complex ones, in single precision;
+    // their fronts, and those of small ones in double precision, come to about as much again.
+    let preconditioner = factors.values() / instants * size_of::<f64>() as f64;
+    instants * tangents
+        + preconditioner
+        + pairs * (36.0 * FILLED + MEANS)
+        + found * FOUND
+        + VECTORS * unknowns * size_of::<f64>() as f64
 }
 
 /// Bytes of the tangents of all elements, about.

@@ -5,7 +5,7 @@ use crate::collocation::{Collocation, GridState, LikeBlades, Tangent};
 use crate::error::{Error, ErrorKind, Result};
 use crate::solve::linear::assembled::Assembled;
 use crate::solve::linear::borders::Borders;
-use crate::solve::linear::cost::{AFFORDABLE, DirectCost, tangent_bytes};
+use crate::solve::linear::cost::{AFFORDABLE, DirectCost, iteration_bytes, tangent_bytes};
 use crate::solve::linear::diagnosis::Singularity;
 use crate::solve::linear::freedoms::FreedomSolver;
 use crate::solve::linear::front::Held;
@@ -39,8 +39,6 @@ const VALUE: f64 = 50.0;
 const AFFORDABLE_FREEDOMS: f64 = 1e10;
 /// Factors with pivots that wait take more than was planned, by so much.
 const DELAYED: f64 = 1.2;
-/// A preconditioner, and the vectors of the iteration, in terms of the tangents' bytes, about.
-const PRECONDITIONER: f64 = 2.0;
 /// So few numbers are not worth the trouble.
 const SMALL: f64 = 1500.0;
 
@@ -115,17 +113,11 @@ impl Plan {
         let (system, points) = (equations.system(), equations.grid().points());
         let mut falls_back = false;
         let mut most_products = usize::MAX;
-        let tangent = tangent_bytes(system, points);
-        let mut direct_bytes = 0.0;
+        let cost = DirectCost::of(system, points);
         let choice = match method {
-            LinearMethod::Direct => {
-                direct_bytes = DirectCost::of(system, points).bytes;
-                Choice::Direct
-            }
+            LinearMethod::Direct => Choice::Direct,
             LinearMethod::Iterative(preconditioner) => Choice::Iterative(preconditioner),
             LinearMethod::Automatic => {
-                let cost = DirectCost::of(system, points);
-                direct_bytes = cost.bytes;
                 let (large, too_large) = (LARGE.min(most_bytes), TOO_LARGE.min(most_bytes));
                 falls_back = cost.bytes < too_large;
                 let numbers = equations.layout().motions().len() as f64;
@@ -149,10 +141,10 @@ impl Plan {
                 }
             }
         };
-        let own = match choice {
-            Choice::Direct => DELAYED * direct_bytes,
+        let bytes = match choice {
+            Choice::Direct => tangent_bytes(system, points) + DELAYED * cost.bytes,
             Choice::LikeBlades(_) | Choice::Iterative(_) | Choice::IterativeFirst { .. } => {
-                PRECONDITIONER * tangent
+                iteration_bytes(system, points, cost)
             }
         };
         Plan {
@@ -160,7 +152,7 @@ impl Plan {
             method,
             falls_back,
             most_products,
-            bytes: tangent + own,
+            bytes,
         }
     }
 
@@ -179,10 +171,9 @@ impl Plan {
         let Some(left) = LikeBlades::of(equations) else {
             return plan;
         };
-        let (tangent, numbers) = (
-            tangent_bytes(equations.system(), equations.grid().points()),
-            left.motions() as f64,
-        );
+        let (system, points) = (equations.system(), equations.grid().points());
+        let tangent = tangent_bytes(system, points);
+        let numbers = left.motions() as f64;
         let whole = || -> Whole {
             Box::new(move |equations: &Collocation| Box::new(Linear::new(equations, method)))
         };
@@ -197,8 +188,11 @@ impl Plan {
             }
         }
         let by_iteration = || {
+            let cost = DirectCost::of(system, points);
+            let iterated = iteration_bytes(system, points, cost);
             let blades = OfLikeBlades::by_iteration(equations, left, whole())?;
-            Some((blades, (1.0 + PRECONDITIONER) * tangent))
+            // No more than by iteration on all blades.
+            Some((blades, iterated))
         };
         match by_factors.or_else(by_iteration) {
             Some((blades, bytes)) => Plan {

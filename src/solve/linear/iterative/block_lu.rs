@@ -4,6 +4,7 @@
 use super::fronts::{Factors, FrontScratch, Fronts, pay};
 use super::lanes::{LANES, Lanes};
 use crate::solve::linear::ordering::{FrontPlan, NEVER, elimination};
+use crate::workers::Workers;
 use nalgebra::ComplexField;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -200,14 +201,15 @@ pub(super) struct BlockLanes<T: Lanes> {
 /// Memory that a solution needs.
 pub(super) struct Scratch<T: Lanes> {
     lanes: Vec<T>,
-    fronts: FrontScratch<T::Number>,
+    /// Of each lane.
+    fronts: Vec<FrontScratch<T::Number>>,
 }
 
 impl<T: Lanes> Default for Scratch<T> {
     fn default() -> Self {
         Scratch {
             lanes: Vec::new(),
-            fronts: FrontScratch::default(),
+            fronts: Vec::new(),
         }
     }
 }
@@ -240,18 +242,29 @@ impl<T: Lanes> BlockLanes<T> {
 
     /// Factors all matrices in place, but for rows that are kept: there remain their Schur
     /// complements. `false` if one is singular.
-    pub fn factor(&mut self, structure: &BlockStructure) -> bool {
+    pub fn factor(&mut self, structure: &BlockStructure, workers: &Workers) -> bool {
         match &structure.fronts {
-            Some(fronts) => self.factor_fronts(structure, fronts),
+            Some(fronts) => self.factor_fronts(structure, fronts, workers),
             None => self.factor_blocks(structure),
         }
     }
 
-    fn factor_fronts(&mut self, structure: &BlockStructure, fronts: &Fronts) -> bool {
-        for lane in 0..self.used {
-            let Some(factors) = fronts.factor(&mut self.values, lane) else {
+    fn factor_fronts(
+        &mut self,
+        structure: &BlockStructure,
+        fronts: &Fronts,
+        workers: &Workers,
+    ) -> bool {
+        let mut all: Vec<Option<Factors<T::Number>>> = vec![None; self.used];
+        let values = &self.values;
+        workers.each(&mut all, |lane, factors| {
+            *factors = fronts.factor(values, lane)
+        });
+        for (lane, factors) in all.into_iter().enumerate() {
+            let Some(mut factors) = factors else {
                 return false;
             };
+            fronts.add_kept(&mut factors, (&mut self.values, lane));
             self.fronts.push(factors);
         }
         // Where the last kept block ends.
@@ -304,11 +317,16 @@ impl<T: Lanes> BlockLanes<T> {
     }
 
     /// Solves with `L`: what is left at rows that are kept is their reduced right-hand side.
-    pub fn forward(&self, structure: &BlockStructure, x: &mut [T], scratch: &mut Scratch<T>) {
+    pub fn forward(
+        &self,
+        structure: &BlockStructure,
+        x: &mut [T],
+        (scratch, workers): (&mut Scratch<T>, &Workers),
+    ) {
         if let Some(fronts) = &structure.fronts {
-            for (lane, factors) in self.fronts.iter().enumerate() {
-                factors.forward(fronts, (x, lane), &mut scratch.fronts);
-            }
+            self.by_fronts(x, (scratch, workers), |factors, x, scratch| {
+                factors.forward(fronts, x, scratch)
+            });
         }
         for step in &structure.steps {
             for &(row, below, _) in &step.later {
@@ -321,11 +339,16 @@ impl<T: Lanes> BlockLanes<T> {
     }
 
     /// Solves with `U`, where rows that are kept are known.
-    pub fn backward(&self, structure: &BlockStructure, x: &mut [T], scratch: &mut Scratch<T>) {
+    pub fn backward(
+        &self,
+        structure: &BlockStructure,
+        x: &mut [T],
+        (scratch, workers): (&mut Scratch<T>, &Workers),
+    ) {
         if let Some(fronts) = &structure.fronts {
-            for (lane, factors) in self.fronts.iter().enumerate() {
-                factors.backward(fronts, (x, lane), &mut scratch.fronts);
-            }
+            self.by_fronts(x, (scratch, workers), |factors, x, scratch| {
+                factors.backward(fronts, x, scratch)
+            });
         }
         let scratch = &mut scratch.lanes;
         for step in structure.steps.iter().rev() {
@@ -342,6 +365,24 @@ impl<T: Lanes> BlockLanes<T> {
             target.fill(T::zero());
             let inverse = &self.values[step.pivot_block..][..size * size];
             add_block_product::<T, false>(target, inverse, scratch, (size, size, 1));
+        }
+    }
+
+    /// Solves with factors of fronts, one lane beside the other.
+    fn by_fronts(
+        &self,
+        x: &mut [T],
+        (scratch, workers): (&mut Scratch<T>, &Workers),
+        solve: impl Fn(&Factors<T::Number>, (&[T], usize), &mut FrontScratch<T::Number>) + Sync,
+    ) {
+        let scratch = &mut scratch.fronts;
+        scratch.resize_with(self.fronts.len(), FrontScratch::default);
+        let given = &*x;
+        workers.each(scratch, |lane, scratch| {
+            solve(&self.fronts[lane], (given, lane), scratch)
+        });
+        for (lane, solved) in scratch.iter().enumerate() {
+            solved.write((x, lane));
         }
     }
 

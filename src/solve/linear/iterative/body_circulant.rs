@@ -54,6 +54,8 @@ pub(super) struct BodyCirculant {
     /// Where those of each unknown start.
     spectrum_at: Vec<usize>,
     lanes: Vec<Vec<ComplexLanes>>,
+    /// Of each thread.
+    scratches: Vec<Scratch<ComplexLanes>>,
     products: Vec<Vec<ComplexLanes>>,
     /// Forces on what is kept, motions of it, and forces by these motions, over the grid.
     series: [Vec<Vec<f64>>; 3],
@@ -152,6 +154,7 @@ impl BodyCirculant {
             transform: Transform::new(points),
             products: lanes[..if kept.is_empty() { 0 } else { lanes.len() }].to_vec(),
             lanes,
+            scratches: Vec::new(),
             workers: equations.workers().clone(),
             workspaces: Vec::new(),
             spectra: vec![Complex::default(); layout.structure.unknowns() * harmonics],
@@ -227,10 +230,10 @@ impl BodyCirculant {
         let (structure, spectra, spectrum_at) =
             (&self.layout.structure, &self.spectra, &self.spectrum_at);
         let (factors, last) = (&self.factors, self.points / 2);
-        let scratches = &mut Vec::new();
-        self.workers.for_each(
+        let workers = &self.workers;
+        workers.for_each(
             &mut self.lanes,
-            scratches,
+            &mut self.scratches,
             Scratch::default,
             |scratch, chunk, lanes| {
                 for (number, &at) in lanes.iter_mut().zip(spectrum_at) {
@@ -238,7 +241,7 @@ impl BodyCirculant {
                         number.set(lane, spectra[at + (LANES * chunk + lane).min(last)]);
                     }
                 }
-                factors[chunk].forward(structure, lanes, scratch);
+                factors[chunk].forward(structure, lanes, (scratch, workers));
             },
         );
         if let Some(mut interface) = self.interface.take() {
@@ -246,12 +249,13 @@ impl BodyCirculant {
             self.interface = Some(interface);
         }
         let (structure, factors) = (&self.layout.structure, &self.factors);
-        self.workers.for_each(
+        let workers = &self.workers;
+        workers.for_each(
             &mut self.lanes,
-            scratches,
+            &mut self.scratches,
             Scratch::default,
             |scratch, chunk, lanes| {
-                factors[chunk].backward(structure, lanes, scratch);
+                factors[chunk].backward(structure, lanes, (scratch, workers));
             },
         );
         self.transform_back(x);

@@ -2,6 +2,7 @@
 //! stands in dense matrices, as large meshes have large ones. Pivots are sought among what is
 //! eliminated together.
 
+use super::front_lu::FrontLu;
 use super::lanes::{Lanes, Number};
 use crate::solve::linear::ordering::{FrontPlan, joined_fronts};
 use faer::dyn_stack::{MemBuffer, MemStack};
@@ -9,9 +10,8 @@ use faer::linalg::lu::partial_pivoting::factor::{lu_in_place, lu_in_place_scratc
 use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::{
     solve_lower_triangular_in_place, solve_unit_lower_triangular_in_place,
-    solve_upper_triangular_in_place,
 };
-use faer::{Accum, Mat, MatMut, Par};
+use faer::{Accum, Mat, Par};
 use std::collections::BTreeSet;
 
 /// A pivot smaller than this, relative to its column, is none.
@@ -147,13 +147,15 @@ impl Fronts {
         Fronts { fronts }
     }
 
-    /// Factors the matrix in one of the `lanes` of its entries, to which the remainders are added.
-    /// None if it is singular.
-    pub fn factor<T: Lanes>(&self, values: &mut [T], lane: usize) -> Option<Factors<T::Number>> {
+    /// Factors the matrix in one of the lanes of its entries. None if it is singular.
+    pub fn factor<T: Lanes>(&self, values: &[T], lane: usize) -> Option<Factors<T::Number>> {
         let mut workspace = MemBuffer::new(faer::dyn_stack::StackReq::EMPTY);
         let mut room = 0;
-        let mut remainders: Vec<Mat<T::Number>> = Vec::new();
-        let mut factors = Vec::with_capacity(self.fronts.len());
+        let mut waiting: Vec<Mat<T::Number>> = Vec::new();
+        let mut all = Factors {
+            fronts: Vec::with_capacity(self.fronts.len()),
+            kept: Vec::new(),
+        };
         for front in &self.fronts {
             let (own, rest) = (front.own, front.unknowns.len() - front.own);
             if own > room {
@@ -179,15 +181,28 @@ impl Fronts {
                 }
             }
             for &child in front.children.iter().rev() {
-                let remainder = remainders.pop()?;
+                let remainder = waiting.pop()?;
                 parts.add_remainder(&remainder, &self.fronts[child].in_parent);
             }
             let (lu, remainder) = parts.eliminate(&mut workspace)?;
-            factors.push(lu);
-            if !front.in_parent.is_empty() {
-                remainders.push(remainder);
-                continue;
+            all.fronts.push(lu);
+            match front.in_parent.is_empty() {
+                false => waiting.push(remainder),
+                true => all.kept.push(remainder),
             }
+        }
+        Some(all)
+    }
+
+    /// Adds to one of the lanes of a matrix what its factors have left of unknowns that are not
+    /// eliminated.
+    pub fn add_kept<T: Lanes>(
+        &self,
+        factors: &mut Factors<T::Number>,
+        (values, lane): (&mut [T], usize),
+    ) {
+        let without_parent = self.fronts.iter().filter(|f| f.in_parent.is_empty());
+        for (front, remainder) in without_parent.zip(factors.kept.drain(..)) {
             for block in &front.in_matrix {
                 let (rows, columns) = block.size;
                 for i in 0..rows {
@@ -199,7 +214,6 @@ impl Fronts {
                 }
             }
         }
-        Some(Factors { factors })
     }
 }
 
@@ -291,126 +305,84 @@ impl<N: Number> Parts<N> {
             minus,
             Par::Seq,
         );
-        let lu = FrontLu {
-            upper: self.upper,
-            lower: self.lower,
-            permutation,
-        };
+        let lu = FrontLu::new(permutation, self.upper.as_ref(), self.lower.as_ref())?;
         Some((lu, self.remainder))
     }
 }
 
-/// `P F₁₁ = L U` and `U₁₂`, `L₂₁`.
-#[derive(Debug, Clone)]
-struct FrontLu<N> {
-    upper: Mat<N>,
-    lower: Mat<N>,
-    permutation: Vec<usize>,
-}
-
 /// Memory that a solution needs.
+#[derive(Debug, Default)]
 pub(super) struct FrontScratch<N> {
     x: Vec<N>,
+    front: Vec<N>,
     own: Vec<N>,
-    rest: Vec<N>,
-}
-
-impl<N> Default for FrontScratch<N> {
-    fn default() -> Self {
-        FrontScratch {
-            x: Vec::new(),
-            own: Vec::new(),
-            rest: Vec::new(),
-        }
-    }
 }
 
 /// The factors of a matrix.
 #[derive(Debug, Clone)]
-pub(super) struct Factors<N> {
-    factors: Vec<FrontLu<N>>,
+pub(super) struct Factors<N: Number> {
+    fronts: Vec<FrontLu<N>>,
+    /// What is left of unknowns that are not eliminated, until it is added to the matrix.
+    kept: Vec<Mat<N>>,
 }
 
 impl<N: Number> Factors<N> {
     /// Bytes that they take.
     pub fn bytes(&self) -> usize {
-        let numbers = |matrix: &Mat<N>| matrix.nrows() * matrix.ncols();
-        let all = self.factors.iter();
-        let numbers = all.map(|lu| numbers(&lu.upper) + numbers(&lu.lower));
-        size_of::<N>() * numbers.sum::<usize>()
+        self.fronts.iter().map(FrontLu::bytes).sum()
     }
 
     /// Solves with `L` in one of the lanes of `x`: what is left at unknowns that are not eliminated
-    /// is their reduced right-hand side.
+    /// is their reduced right-hand side. The solution stays in the memory.
     pub fn forward<T: Lanes<Number = N>>(
         &self,
         fronts: &Fronts,
-        (x, lane): (&mut [T], usize),
+        (x, lane): (&[T], usize),
         scratch: &mut FrontScratch<N>,
     ) {
-        let FrontScratch { x: y, own, rest } = scratch;
-        y.clear();
-        y.extend(x.iter().map(|x| x.get(lane)));
-        for (front, lu) in fronts.fronts.iter().zip(&self.factors) {
-            let (unknowns, others) = front.unknowns.split_at(front.own);
-            own.clear();
-            own.extend(lu.permutation.iter().map(|&row| y[unknowns[row]]));
-            let square = lu.upper.as_ref().subcols(0, front.own);
-            solve_unit_lower_triangular_in_place(square, as_column(own), Par::Seq);
-            rest.clear();
-            rest.resize(others.len(), N::default());
-            let (sum, own_column) = (as_column(rest), as_column(own));
-            let one = N::from_real(1.0);
-            matmul(
-                sum,
-                Accum::Add,
-                lu.lower.as_ref(),
-                own_column.as_ref(),
-                one,
-                Par::Seq,
-            );
-            unknowns.iter().zip(&*own).for_each(|(&u, o)| y[u] = *o);
-            others.iter().zip(&*rest).for_each(|(&u, r)| y[u] -= *r);
+        scratch.read(x, lane);
+        let FrontScratch {
+            x,
+            front: part,
+            own,
+        } = scratch;
+        for (front, lu) in fronts.fronts.iter().zip(&self.fronts) {
+            part.clear();
+            part.extend(front.unknowns.iter().map(|&unknown| x[unknown]));
+            lu.forward(part, own);
+            let solved = front.unknowns.iter().zip(&*part);
+            solved.for_each(|(&unknown, value)| x[unknown] = *value);
         }
-        x.iter_mut().zip(&*y).for_each(|(x, y)| x.set(lane, *y));
     }
 
-    /// Solves with `U`, where unknowns that are not eliminated are known.
+    /// Solves with `U`, where unknowns that are not eliminated are known. The solution stays in the
+    /// memory.
     pub fn backward<T: Lanes<Number = N>>(
         &self,
         fronts: &Fronts,
-        (x, lane): (&mut [T], usize),
+        (x, lane): (&[T], usize),
         scratch: &mut FrontScratch<N>,
     ) {
-        let FrontScratch { x: y, own, rest } = scratch;
-        y.clear();
-        y.extend(x.iter().map(|x| x.get(lane)));
-        for (front, lu) in fronts.fronts.iter().zip(&self.factors).rev() {
-            let (unknowns, others) = front.unknowns.split_at(front.own);
-            own.clear();
-            own.extend(unknowns.iter().map(|&u| y[u]));
-            rest.clear();
-            rest.extend(others.iter().map(|&u| y[u]));
-            let (square, beyond) = lu.upper.as_ref().split_at_col(front.own);
-            let minus = -N::from_real(1.0);
-            let known = as_column(rest);
-            matmul(
-                as_column(own),
-                Accum::Add,
-                beyond,
-                known.as_ref(),
-                minus,
-                Par::Seq,
-            );
-            solve_upper_triangular_in_place(square, as_column(own), Par::Seq);
-            unknowns.iter().zip(&*own).for_each(|(&u, o)| y[u] = *o);
+        scratch.read(x, lane);
+        let FrontScratch { x, front: part, .. } = scratch;
+        for (front, lu) in fronts.fronts.iter().zip(&self.fronts).rev() {
+            part.clear();
+            part.extend(front.unknowns.iter().map(|&unknown| x[unknown]));
+            lu.backward(part);
+            let solved = front.unknowns[..front.own].iter().zip(&*part);
+            solved.for_each(|(&unknown, value)| x[unknown] = *value);
         }
-        x.iter_mut().zip(&*y).for_each(|(x, y)| x.set(lane, *y));
     }
 }
 
-/// Numbers as a matrix of one column.
-fn as_column<N>(numbers: &mut [N]) -> MatMut<'_, N> {
-    let rows = numbers.len();
-    MatMut::from_column_major_slice_mut(numbers, rows, 1)
+impl<N: Number> FrontScratch<N> {
+    fn read<T: Lanes<Number = N>>(&mut self, x: &[T], lane: usize) {
+        self.x.clear();
+        self.x.extend(x.iter().map(|x| x.get(lane)));
+    }
+
+    /// Writes a solution to one of the lanes of `x`.
+    pub fn write<T: Lanes<Number = N>>(&self, (x, lane): (&mut [T], usize)) {
+        x.iter_mut().zip(&self.x).for_each(|(x, y)| x.set(lane, *y));
+    }
 }

@@ -9,10 +9,49 @@ pub(super) const LANES: usize = 8;
 pub(super) trait Number:
     ComplexField<RealField = f64> + faer::traits::ComplexField + Copy + Default + Send + Sync
 {
+    /// The same in single precision.
+    type Single: Copy + Send + Sync + std::fmt::Debug;
+
+    /// Rounded.
+    fn single(self) -> Self::Single;
+    fn double(single: Self::Single) -> Self;
+
+    /// `y −= a x`.
+    #[inline(always)]
+    fn subtract_product(y: &mut [Self], a: &[Self::Single], x: Self) {
+        for (y, a) in y.iter_mut().zip(a) {
+            *y -= Self::double(*a) * x;
+        }
+    }
 }
 
-impl Number for f64 {}
-impl Number for Complex<f64> {}
+impl Number for f64 {
+    type Single = f32;
+
+    #[inline(always)]
+    fn single(self) -> f32 {
+        self as f32
+    }
+
+    #[inline(always)]
+    fn double(single: f32) -> f64 {
+        f64::from(single)
+    }
+}
+
+impl Number for Complex<f64> {
+    type Single = Complex<f32>;
+
+    #[inline(always)]
+    fn single(self) -> Complex<f32> {
+        Complex::new(self.re as f32, self.im as f32)
+    }
+
+    #[inline(always)]
+    fn double(single: Complex<f32>) -> Complex<f64> {
+        Complex::new(f64::from(single.re), f64::from(single.im))
+    }
+}
 
 /// One entry of each of [`LANES`] matrices.
 pub(super) trait Lanes: Copy + Send + Sync {

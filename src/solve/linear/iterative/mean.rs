@@ -276,7 +276,7 @@ impl Averages<'_> {
                     self.project(alike, &mut lanes, lane, harmonic(lane));
                 }
             }
-            if lanes.factor(&self.layout.structure) {
+            if lanes.factor(&self.layout.structure, self.workers) {
                 *place = Some(lanes);
             }
         });

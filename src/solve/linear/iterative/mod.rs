@@ -24,6 +24,7 @@ mod body_circulant;
 mod constraints;
 mod dense;
 mod factors;
+mod front_lu;
 mod fronts;
 mod gmres;
 mod harmonic_band;

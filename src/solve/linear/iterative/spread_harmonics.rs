@@ -254,22 +254,24 @@ impl SpreadHarmonics {
         }
         self.analyse(x)?;
         let (structure, factors) = (&self.layout.structure, &self.factors);
-        self.workers.for_each(
+        let workers = &self.workers;
+        workers.for_each(
             &mut self.lanes,
             &mut self.workspaces,
             Scratch::default,
-            |scratch, chunk, lanes| factors[chunk].forward(structure, lanes, scratch),
+            |scratch, chunk, lanes| factors[chunk].forward(structure, lanes, (scratch, workers)),
         );
         if let Some(joints) = &mut self.joints {
             let (lanes, transform) = (&mut self.lanes, &mut self.transform);
             joints.solve(&*self.ranks, &self.harmonics, lanes, transform, x)?;
         }
         let (structure, factors) = (&self.layout.structure, &self.factors);
-        self.workers.for_each(
+        let workers = &self.workers;
+        workers.for_each(
             &mut self.lanes,
             &mut self.workspaces,
             Scratch::default,
-            |scratch, chunk, lanes| factors[chunk].backward(structure, lanes, scratch),
+            |scratch, chunk, lanes| factors[chunk].backward(structure, lanes, (scratch, workers)),
         );
         self.synthesise(x)?;
         if apart {

@@ -44,7 +44,7 @@ impl TimeLocal {
                     k,
                 );
             }
-            if lanes.factor(&layout.structure) {
+            if lanes.factor(&layout.structure, &workers) {
                 *place = Some(lanes);
             }
         });
@@ -67,8 +67,8 @@ impl TimeLocal {
     /// `x = P⁻¹ x`.
     pub fn apply(&mut self, x: &mut [f64]) {
         let (layout, factors, last) = (&self.layout, &self.factors, self.points - 1);
-        let given = &*x;
-        self.workers.for_each(
+        let (given, workers) = (&*x, &self.workers);
+        workers.for_each(
             &mut self.lanes,
             &mut self.workspaces,
             Scratch::default,
@@ -81,8 +81,8 @@ impl TimeLocal {
                         );
                     }
                 }
-                factors[chunk].forward(&layout.structure, lanes, workspace);
-                factors[chunk].backward(&layout.structure, lanes, workspace);
+                factors[chunk].forward(&layout.structure, lanes, (workspace, workers));
+                factors[chunk].backward(&layout.structure, lanes, (workspace, workers));
             },
         );
         let (regions, lanes) = (&self.layout.regions, &self.lanes);
