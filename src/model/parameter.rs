@@ -469,8 +469,50 @@ impl Model {
     }
 }
 
+/// The error of a target that the model does not have.
 fn no_such(target: Target) -> Error {
-    let message = format!("target: the model has no such number: {target:?}");
+    let (expected, got) = match target {
+        Target::Signal(place, _) => ("what has a signal", describe(place)),
+        Target::Stiffness(force, 1) => (
+            "a spring-damper with linear stiffness, a viscoelastic force or a bushing",
+            format!("force {force}"),
+        ),
+        Target::Stiffness(force, power) => (
+            "a spring-damper with a coefficient of that power of its growth",
+            format!("power {power} of force {force}"),
+        ),
+        Target::Damping(force, 1) => (
+            "a spring-damper with linear damping, or a bushing",
+            format!("force {force}"),
+        ),
+        Target::Damping(force, power) => (
+            "a spring-damper with a coefficient of that power of its rate",
+            format!("power {power} of force {force}"),
+        ),
+        Target::Rest(force) => (
+            "a spring-damper or a viscoelastic force",
+            format!("force {force}"),
+        ),
+        Target::Inertia(body) => ("a body that was given", format!("body {body}")),
+        Target::BeamStiffness(element)
+        | Target::BeamMass(element)
+        | Target::BeamDamping(element) => {
+            ("a beam element that is there", format!("element {element}"))
+        }
+        Target::ShellStiffness(element)
+        | Target::ShellMass(element)
+        | Target::ShellDamping(element)
+        | Target::ShellThickness(element) => (
+            "a shell element that is there",
+            format!("element {element}"),
+        ),
+        Target::MassDamping => ("damping by mass", "none".into()),
+        Target::FrameRate => (
+            "a model that is described in a turning frame",
+            "one without such a frame".into(),
+        ),
+    };
+    let message = format!("target: expected {expected}, got {got}");
     Error::new(ErrorKind::Identifier, message)
 }
 
@@ -511,8 +553,11 @@ mod tests {
             assert!(error.to_string().contains(why), "{error}");
         };
         refuse(&mut model, Target::Inertia(0), "\"mass\" moves the same");
-        refuse(&mut model, Target::Inertia(1), "no such number");
-        refuse(&mut model, Target::Stiffness(0, 1), "no such number");
+        refuse(&mut model, Target::Inertia(1), "given, got body 1");
+        let expected = "a viscoelastic force or a bushing, got force 0";
+        refuse(&mut model, Target::Stiffness(0, 1), expected);
+        let expected = "target: expected a model that is described in a turning frame, got one";
+        refuse(&mut model, Target::FrameRate, expected);
         assert!(model.add_parameter("mass", 0.0, 1.0).is_err());
         assert!(model.add_parameter("scale", 0.0, 0.0).is_err());
         assert!(model.set_parameter(7, 0.0).is_err());

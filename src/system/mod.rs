@@ -14,6 +14,7 @@ mod relations;
 mod repetition;
 mod rotor_symmetry;
 mod scales;
+mod shell_overlaps;
 mod shell_warnings;
 mod signals;
 mod summary;

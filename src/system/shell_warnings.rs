@@ -2,6 +2,7 @@
 
 use super::System;
 use super::constraints::name_all;
+use super::shell_overlaps::overlapping;
 use crate::elements::{Attachment, Element, JointKind, LoadFrame, Measure, Shell};
 use crate::model::{ForceDefinition, Model};
 use nalgebra::{Matrix3, Vector3};
@@ -19,6 +20,7 @@ pub(super) fn warn_of_shells(model: &Model, system: &System, warnings: &mut Vec<
         return;
     }
     warn_of_warp(system, warnings);
+    warn_of_overlaps(system, warnings);
     let mut normals = HashMap::new();
     for shell in &system.shells {
         for (&node, normal) in shell.nodes().iter().zip(shell.normals()) {
@@ -53,6 +55,22 @@ fn warn_of_warp(system: &System, warnings: &mut Vec<String>) {
             name_all("shell element", &locked)
         ));
     }
+}
+
+fn warn_of_overlaps(system: &System, warnings: &mut Vec<String>) {
+    let pairs = overlapping(&system.shells);
+    let Some(&(a, b)) = pairs.first() else {
+        return;
+    };
+    let more = match pairs.len() - 1 {
+        0 => String::new(),
+        1 => ", and another pair does".to_string(),
+        more => format!(", and {more} other pairs do"),
+    };
+    warnings.push(format!(
+        "shell elements {a} and {b} lie on each other{more}: mass and stiffness count twice there; \
+         does a patch reach too far, or is one there twice?"
+    ));
 }
 
 /// Axes of a frame on a node or the ground.

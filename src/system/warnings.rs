@@ -106,7 +106,8 @@ fn warn_of_loose_parts(
     }
 }
 
-/// Ends of beams at the same place as another member, with nothing between them.
+/// Ends of beams and nodes of shells at the same place as another member, with nothing between
+/// them.
 fn warn_of_missing_joints(
     model: &Model,
     system: &System,
@@ -117,6 +118,11 @@ fn warn_of_missing_joints(
     for beam in &model.beams {
         beam.nodes.iter().for_each(|&node| on_beam[node] = true);
     }
+    let mut on_shell = vec![false; system.nodes()];
+    for shell in &model.shells {
+        shell.nodes.iter().for_each(|&node| on_shell[node] = true);
+    }
+    let mut apart = Vec::new();
     let unit = SAME_PLACE * system.scales().length;
     let mut places: HashMap<[i64; 3], Vec<usize>> = HashMap::new();
     for (node, motion) in model.nodes.iter().enumerate() {
@@ -152,12 +158,24 @@ fn warn_of_missing_joints(
     }
     for (group, connected) in groups.iter().zip(connected) {
         let representatives = connected.representatives();
-        if representatives.iter().any(|&r| r != 0) && group.iter().any(|&n| on_beam[n]) {
+        if representatives.iter().all(|&r| r == 0) {
+            continue;
+        }
+        if group.iter().filter(|&&n| on_shell[n]).count() > 1 {
+            apart.extend(group);
+        } else if group.iter().any(|&n| on_beam[n]) {
             warnings.push(format!(
                 "{} are at the same place, but not all connected there: is a joint missing?",
                 name_all("node", group)
             ));
         }
+    }
+    if !apart.is_empty() {
+        warnings.push(format!(
+            "{} of shells are at the same places as others, but not all connected there: are \
+             patches to be joined along edges, by common nodes?",
+            name_all("node", &apart)
+        ));
     }
 }
 

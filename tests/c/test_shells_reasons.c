@@ -327,9 +327,56 @@ static void couples_of_beams(void)
     pdn_model_free(model);
 }
 
+/* Adds a plate of a unit square, from a corner, turned about axis 3 and lifted. */
+static void add_plate(pdn_model *model, double x, double z, double turn, pdn_shell *shell)
+{
+    const pdn_shell_section section = section_of(0.02);
+    const double corner[3] = {x, 0, z};
+    const double along_u[3] = {cos(turn), sin(turn), 0}, along_v[3] = {-sin(turn), cos(turn), 0};
+    pdn_surface surface;
+    PDN_INIT(pdn_surface, &surface);
+    CHECK_STATUS(pdn_surface_set_parallelogram(&surface, corner, along_u, along_v), PDN_OK);
+    CHECK_STATUS(pdn_model_add_shell(model, &surface, 1, 1, 2, 2, 1, &section, NULL, shell),
+                 PDN_OK);
+    clamp(model, shell);
+}
+
+/* Two plates with nodes of their own: on each other, or beside each other and not joined. */
+static void patches_that_overlap_or_are_not_joined(void)
+{
+    static const char ON_EACH_OTHER[] = "shell elements 0 and 1 lie on each other: mass";
+    static const char APART[] = "are at the same places as others, but not all connected there";
+    static const struct {
+        double x, z, turn;
+        int32_t overlap, apart;
+    } cases[] = {
+        /* Partly, turned, and wholly: then nodes are at the same places as well. */
+        {0.4, 0, 0, 1, 0},
+        {0.4, 0, 0.7, 1, 0},
+        {0, 0, 0, 1, 1},
+        /* Layers, side by side, and along a common edge. */
+        {0.4, 0.02, 0, 0, 0},
+        {1.01, 0, 0, 0, 0},
+        {1, 0, 0, 0, 1},
+    };
+    size_t k;
+    for (k = 0; k < sizeof cases / sizeof *cases; k++) {
+        pdn_shell first, second;
+        pdn_model *model;
+        CHECK_STATUS(pdn_model_new(&model), PDN_OK);
+        add_plate(model, 0, 0, 0, &first);
+        add_plate(model, cases[k].x, cases[k].z, cases[k].turn, &second);
+        CHECK(describes(model, ON_EACH_OTHER) == cases[k].overlap);
+        CHECK(describes(model, APART) == cases[k].apart);
+        CHECK(describes(model, "warning: ") == (cases[k].overlap || cases[k].apart));
+        pdn_model_free(model);
+    }
+}
+
 int main(void)
 {
     overlapping_and_inverted();
+    patches_that_overlap_or_are_not_joined();
     normals_that_vanish();
     thin_and_warped();
     couples_of_loads();

@@ -147,6 +147,14 @@ impl Shell {
         ratio(4, 0).max(ratio(9, 7)).sqrt()
     }
 
+    /// Where its nodes are in the reference configuration.
+    pub(crate) fn places(&self) -> Vec<Vector3<f64>> {
+        self.reference
+            .iter()
+            .map(|motion| motion.position)
+            .collect()
+    }
+
     /// How far the corners are from a plane: half of the distance between the diagonals.
     pub(crate) fn warp(&self) -> f64 {
         let [rows, columns] = self.grid.sides;

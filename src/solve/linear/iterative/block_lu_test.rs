@@ -41,7 +41,7 @@ fn check<T: Lanes>(kept: &[usize], in_fronts: bool, number: impl Fn(f64, f64) ->
     let mut lanes = BlockLanes::<T>::new(&structure, used);
     let zero = T::Number::default();
     let mut dense = vec![DMatrix::from_element(count, count, zero); used];
-    // Some hundred times the rounding of entries of order ten; fronts keep them in single precision.
+    // Some hundred times the rounding of entries of order ten; fronts are kept in single precision.
     let tolerance = if in_fronts { 3e-5 } else { 1e-12 };
     let noise = |i: usize, j: usize| (4e4 * (1.7 * i as f64 + 0.3 * j as f64).sin()).fract();
     for (row, others) in coupled.iter().enumerate() {
