@@ -6,7 +6,7 @@
 //!
 //!     cargo bench --bench shells [-- --case METHOD ELEMENTS NODES]
 //!
-//! One of 1e5 unknowns a point, which takes half an hour on two threads, and up to 20 GiB:
+//! One of 1e5 unknowns a point, which takes half an hour on two threads, and 18 GiB:
 //! `cargo bench --bench shells -- --case two_threads 91 3`.
 //!
 //! And modes of thin square plates on fine meshes of few nodes a side, beside the figures of an

@@ -341,23 +341,20 @@ static void add_plate(pdn_model *model, double x, double z, double turn, pdn_she
     clamp(model, shell);
 }
 
-/* Two plates with nodes of their own: on each other, or beside each other and not joined. */
-static void patches_that_overlap_or_are_not_joined(void)
+/* Two plates on each other in part, and beside each other: a patch is joined to those that it
+   meets, and one that is there already is refused. */
+static void patches_that_overlap(void)
 {
-    static const char ON_EACH_OTHER[] = "shell elements 0 and 1 lie on each other: mass";
-    static const char APART[] = "are at the same places as others, but not all connected there";
     static const struct {
         double x, z, turn;
-        int32_t overlap, apart;
+        int32_t overlap;
     } cases[] = {
-        /* Partly, turned, and wholly: then nodes are at the same places as well. */
-        {0.4, 0, 0, 1, 0},
-        {0.4, 0, 0.7, 1, 0},
-        {0, 0, 0, 1, 1},
+        {0.4, 0, 0, 1},
+        {0.4, 0, 0.7, 1},
         /* Layers, side by side, and along a common edge. */
-        {0.4, 0.02, 0, 0, 0},
-        {1.01, 0, 0, 0, 0},
-        {1, 0, 0, 0, 1},
+        {0.4, 0.02, 0, 0},
+        {1.01, 0, 0, 0},
+        {1, 0, 0, 0},
     };
     size_t k;
     for (k = 0; k < sizeof cases / sizeof *cases; k++) {
@@ -366,9 +363,28 @@ static void patches_that_overlap_or_are_not_joined(void)
         CHECK_STATUS(pdn_model_new(&model), PDN_OK);
         add_plate(model, 0, 0, 0, &first);
         add_plate(model, cases[k].x, cases[k].z, cases[k].turn, &second);
-        CHECK(describes(model, ON_EACH_OTHER) == cases[k].overlap);
-        CHECK(describes(model, APART) == cases[k].apart);
-        CHECK(describes(model, "warning: ") == (cases[k].overlap || cases[k].apart));
+        CHECK(describes(model, "shell elements 0 and 1 lie on each other: mass") ==
+              cases[k].overlap);
+        CHECK(describes(model, "warning: ") == cases[k].overlap);
+        pdn_model_free(model);
+    }
+}
+
+/* Elements with nodes of their own along a common edge, or all at the same places. */
+static void elements_that_are_not_joined(void)
+{
+    int32_t first;
+    for (first = 0; first < 2; first++) {
+        const pdn_shell_section section = section_of(0.01);
+        int32_t n[6], own[4], k, element;
+        pdn_model *model = square(n);
+        for (k = 0; k < 4; k++)
+            own[k] = node_at(model, first + k / 2, k % 2, 0);
+        CHECK_STATUS(pdn_model_add_shell_element(model, own, 4, 2, &section, NULL, &element),
+                     PDN_OK);
+        CHECK(describes(model, "shell elements 0 and 1 lie on each other: mass") == (first == 0));
+        CHECK(describes(model, "of shells are at the same places as others, but not all connected "
+                               "there: are patches to be joined along edges"));
         pdn_model_free(model);
     }
 }
@@ -376,7 +392,8 @@ static void patches_that_overlap_or_are_not_joined(void)
 int main(void)
 {
     overlapping_and_inverted();
-    patches_that_overlap_or_are_not_joined();
+    patches_that_overlap();
+    elements_that_are_not_joined();
     normals_that_vanish();
     thin_and_warped();
     couples_of_loads();
