@@ -3,108 +3,10 @@
 //! What a parameter moves is a number of a definition, its target: it is set to a factor times the
 //! parameter's value. A new target is a line of [`Target`] and one of `Model::number`.
 
+use super::target::{SignalPart, SignalPlace, Target, describe, no_such};
 use super::{BeamDefinition, ForceDefinition, InertiaDefinition, Model, Signal};
 use crate::error::{Error, ErrorKind, Result, require_finite, require_id, require_positive_number};
 use serde::{Deserialize, Serialize};
-
-/// A signal of the model.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub enum SignalPlace {
-    /// Of an actuator, a force.
-    Actuator(usize),
-    /// Of a prescribed coordinate, in the order in which they were prescribed.
-    Prescribed(usize),
-    /// Of a component of a load on a node, in the order in which these were added.
-    Load(usize, usize),
-    /// Of a component of a load along beams, in the order in which these were added.
-    DistributedLoad(usize, usize),
-    /// Of a component of a load on shells, in the order in which these were added.
-    ShellLoad(usize, usize),
-    /// Of a component of gravity.
-    Gravity(usize),
-    /// Of a relation between joint coordinates.
-    Relation(usize),
-}
-
-/// A number of a signal.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub enum SignalPart {
-    /// The mean that is added to its shape.
-    Mean,
-    /// Growth in a unit of time.
-    Rate,
-    /// Factor of its shape: harmonics, samples or function.
-    Amplitude,
-    /// Phase, in radians, by which its shape is ahead.
-    Phase,
-}
-
-/// What a parameter moves: one number of the model.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Target {
-    /// A number of a signal.
-    Signal(SignalPlace, SignalPart),
-    /// The coefficient of a power, from 1, of the growth of a spring-damper; with power 1 the
-    /// long-term stiffness of a viscoelastic force, and a factor of the stiffness of a bushing.
-    Stiffness(usize, usize),
-    /// The coefficient of a power, from 1, of the rate of a spring-damper; with power 1 a factor of
-    /// the damping of a bushing.
-    Damping(usize, usize),
-    /// The coordinate at which a spring-damper or a viscoelastic force is free of effort.
-    Rest(usize),
-    /// Factor of the inertia of a body, in the order in which bodies, masses and inertias were
-    /// given, without those of beams.
-    Inertia(usize),
-    /// Factor of the sections' stiffness along a beam element.
-    BeamStiffness(usize),
-    /// Factor of the sections' mass along a beam element.
-    BeamMass(usize),
-    /// Factor of the sections' damping along a beam element.
-    BeamDamping(usize),
-    /// Factor of the stiffness of a shell element.
-    ShellStiffness(usize),
-    /// Factor of the mass of a shell element.
-    ShellMass(usize),
-    /// Factor of the damping of a shell element.
-    ShellDamping(usize),
-    /// Factor of the thickness of a shell element, which moves stiffness, mass and damping, see
-    /// [`ShellSection::thickened`](crate::elements::ShellSection::thickened); more than zero.
-    ShellThickness(usize),
-    /// Damping in proportion to mass, see [`Model::set_mass_damping`].
-    MassDamping,
-    /// Angle in a unit of time of the frame that everything is described in, see
-    /// [`Model::set_turning_frame`].
-    FrameRate,
-}
-
-impl Target {
-    /// Whether forces and constraints are linear in it.
-    fn is_linear(&self) -> bool {
-        match self {
-            Target::Signal(SignalPlace::Prescribed(_) | SignalPlace::Relation(_), _)
-            | Target::Rest(_)
-            | Target::FrameRate
-            | Target::ShellThickness(_) => false,
-            Target::Signal(_, part) => *part != SignalPart::Phase,
-            _ => true,
-        }
-    }
-
-    /// Whether it changes bodies, beams or shells.
-    fn is_of_bodies(&self) -> bool {
-        matches!(
-            self,
-            Target::Inertia(_)
-                | Target::BeamStiffness(_)
-                | Target::BeamMass(_)
-                | Target::BeamDamping(_)
-                | Target::ShellStiffness(_)
-                | Target::ShellMass(_)
-                | Target::ShellDamping(_)
-                | Target::ShellThickness(_)
-        )
-    }
-}
 
 /// A named number that moves parts of the model.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -466,66 +368,6 @@ impl Model {
             Target::MassDamping => Some(&mut self.mass_damping),
             Target::FrameRate => Some(&mut self.turning_frame.as_mut()?.rate),
         }
-    }
-}
-
-/// The error of a target that the model does not have.
-fn no_such(target: Target) -> Error {
-    let (expected, got) = match target {
-        Target::Signal(place, _) => ("what has a signal", describe(place)),
-        Target::Stiffness(force, 1) => (
-            "a spring-damper with linear stiffness, a viscoelastic force or a bushing",
-            format!("force {force}"),
-        ),
-        Target::Stiffness(force, power) => (
-            "a spring-damper with a coefficient of that power of its growth",
-            format!("power {power} of force {force}"),
-        ),
-        Target::Damping(force, 1) => (
-            "a spring-damper with linear damping, or a bushing",
-            format!("force {force}"),
-        ),
-        Target::Damping(force, power) => (
-            "a spring-damper with a coefficient of that power of its rate",
-            format!("power {power} of force {force}"),
-        ),
-        Target::Rest(force) => (
-            "a spring-damper or a viscoelastic force",
-            format!("force {force}"),
-        ),
-        Target::Inertia(body) => ("a body that was given", format!("body {body}")),
-        Target::BeamStiffness(element)
-        | Target::BeamMass(element)
-        | Target::BeamDamping(element) => {
-            ("a beam element that is there", format!("element {element}"))
-        }
-        Target::ShellStiffness(element)
-        | Target::ShellMass(element)
-        | Target::ShellDamping(element)
-        | Target::ShellThickness(element) => (
-            "a shell element that is there",
-            format!("element {element}"),
-        ),
-        Target::MassDamping => ("damping by mass", "none".into()),
-        Target::FrameRate => (
-            "a model that is described in a turning frame",
-            "one without such a frame".into(),
-        ),
-    };
-    let message = format!("target: expected {expected}, got {got}");
-    Error::new(ErrorKind::Identifier, message)
-}
-
-/// What has a signal, for messages.
-fn describe(place: SignalPlace) -> String {
-    match place {
-        SignalPlace::Actuator(force) => format!("force {force}"),
-        SignalPlace::Prescribed(index) => format!("prescribed coordinate {index}"),
-        SignalPlace::Load(load, _) => format!("load {load}"),
-        SignalPlace::DistributedLoad(load, _) => format!("load {load} along beams"),
-        SignalPlace::ShellLoad(load, _) => format!("load {load} on shells"),
-        SignalPlace::Gravity(_) => "gravity".into(),
-        SignalPlace::Relation(index) => format!("relation {index}"),
     }
 }
 

@@ -85,13 +85,15 @@ pub(crate) fn easy_iteration(system: &System, points: usize) -> f64 {
 }
 
 /// Vectors that iteration keeps at least, and those that a solve takes beside them.
-const VECTORS: f64 = 32.0;
-/// Bytes of the matrices of eight harmonics, by which a preconditioner is filled, for each entry.
-const FILLED: f64 = 8.0 * 16.0;
-/// Bytes of means over time of a pair of nodes.
-const MEANS: f64 = 5.0 * size_of::<Matrix6<f64>>() as f64;
+const VECTORS: f64 = 40.0;
+/// Matrices of harmonics, or of grid points, that are filled side by side.
+const SIDE_BY_SIDE: usize = 8;
+/// Means over time of a pair of nodes, and of a node and a station, in matrices.
+const MEANS: (f64, f64) = (5.0, 3.0);
 /// Bytes for each pair of nodes of a station, by which one finds the other.
 const FOUND: f64 = 40.0;
+/// What allocations take beyond what is asked for, and what is not counted.
+const MARGIN: f64 = 1.2;
 
 /// Bytes of a solve by iteration, at most about: of tangents, of those of stress resultants, of a
 /// preconditioner and of few vectors. `factors` are those of the whole Jacobian.
@@ -116,19 +118,21 @@ pub(crate) fn iteration_bytes(system: &System, points: usize, factors: DirectCos
         .iter()
         .map(|others| others.len() as f64)
         .sum::<f64>();
-    let matrix = size_of::<Matrix6<f64>>() as f64;
+    let (matrix, number) = (size_of::<Matrix6<f64>>() as f64, size_of::<f64>() as f64);
     let tangents = pairs * 3.0 * matrix
         + strains * size_of::<StrainTangent>() as f64
         + stations * size_of::<DualVector>() as f64;
+    let means = matrix * (pairs * MEANS.0 + strains * MEANS.1);
+    // Complex matrices of half as many harmonics as there are grid points, or real ones of all.
+    // Fronts in single precision and those that wait, or small matrices in double precision, take
+    // about the same.
+    let side_by_side = (points / 2 + 1).next_multiple_of(SIDE_BY_SIDE) as f64;
+    let of_entry = 2.0 * number * side_by_side;
+    let preconditioner = factors.values() / (instants * instants) * of_entry;
+    let filled = pairs * 36.0 * 2.0 * number * SIDE_BY_SIDE as f64;
     let unknowns = system.layout(points).motions().len() as f64 + 6.0 * stations * instants;
-    // As many matrices as there are grid points, or half as many complex ones, in single precision;
-    // their fronts, and those of small ones in double precision, come to about as much again.
-    let preconditioner = factors.values() / instants * size_of::<f64>() as f64;
-    instants * tangents
-        + preconditioner
-        + pairs * (36.0 * FILLED + MEANS)
-        + found * FOUND
-        + VECTORS * unknowns * size_of::<f64>() as f64
+    let vectors = VECTORS * unknowns * number;
+    MARGIN * (instants * tangents + means + preconditioner + filled + found * FOUND + vectors)
 }
 
 /// Bytes of the tangents of all elements, about.

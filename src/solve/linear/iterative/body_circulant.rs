@@ -116,9 +116,8 @@ impl BodyCirculant {
         }
         let kept: Vec<usize> = layout.kept().collect();
         let places: Vec<_> = kept.iter().map(|&i| layout.places[i]).collect();
-        let joined = !kept.is_empty();
-        let interface = joined.then(|| Interface::new(equations, classes, &places, bounds));
-        let interface = interface.flatten();
+        let new = || Interface::new(equations, classes, &places, bounds);
+        let interface = (!kept.is_empty()).then(new).flatten();
         if interface.is_some() == kept.is_empty() {
             return Ok(None);
         }

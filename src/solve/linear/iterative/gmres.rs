@@ -63,6 +63,8 @@ pub(crate) struct GmresWorkspace {
 
 /// Vectors that are kept at least, where memory is short.
 const LEAST_KEPT: usize = 20;
+/// Vectors that a solve takes beside those.
+const BESIDE: usize = 16;
 
 impl GmresWorkspace {
     /// Takes the memory of a solve for a right side of so many entries, which keeps fewer vectors
@@ -73,7 +75,7 @@ impl GmresWorkspace {
     pub fn take(&mut self, options: &mut GmresOptions, entries: usize) -> Result<()> {
         options.restart = options.restart.min(options.iteration_limit);
         while self.basis.len() < (options.restart + 1) * entries {
-            let bytes = (options.restart + 3).saturating_mul(entries * size_of::<f64>());
+            let bytes = (options.restart + BESIDE).saturating_mul(entries * size_of::<f64>());
             match memory::require("vectors of the iteration", bytes) {
                 // What is not written to is not taken.
                 Ok(()) => self.basis = vec![0.0; (options.restart + 1) * entries],

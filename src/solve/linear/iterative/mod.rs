@@ -29,6 +29,7 @@ mod fronts;
 mod gmres;
 mod harmonic_band;
 mod interface;
+mod lane_blocks;
 mod lanes;
 mod layout;
 mod least_squares;
@@ -495,9 +496,8 @@ impl LinearSolver for Iterative {
             .map_or("any preconditioner", Preconditioner::name);
         Singularity::Unsolved(format!(
             "the linear equations could not be solved by iteration with {tried}: they are \
-             singular, or \
-             nearly so, or the preconditioner is unlike them; solve them directly, or with fewer \
-             grid points"
+             singular, or nearly so, or the preconditioner is unlike them; solve them directly, \
+             or with fewer grid points"
         ))
     }
 }
