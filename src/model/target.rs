@@ -66,10 +66,11 @@ pub enum Target {
     /// Factor of the thickness of a shell element, which moves stiffness, mass and damping, see
     /// [`ShellSection::thickened`](crate::elements::ShellSection::thickened); more than zero.
     ShellThickness(usize),
-    /// Damping in proportion to mass, see [`Model::set_mass_damping`].
+    /// Damping in proportion to mass, see
+    /// [`Model::set_mass_damping`](super::Model::set_mass_damping).
     MassDamping,
     /// Angle in a unit of time of the frame that everything is described in, see
-    /// [`Model::set_turning_frame`].
+    /// [`Model::set_turning_frame`](super::Model::set_turning_frame).
     FrameRate,
 }
 
