@@ -17,10 +17,12 @@ const TOLERANCE: f64 = 1e-3;
 /// What that error stretches slender beams by is to be no more geometric stiffness than this part
 /// of their bending stiffness.
 const SPURIOUS: f64 = 0.5;
-/// A step that needs more iterations than this is halved.
+/// A step that needs more iterations than this has failed; one in time is halved.
 const ITERATION_LIMIT: usize = 12;
-/// A load step along which Newton's method goes on by so many short ones is halved.
-const PATIENCE: usize = 2;
+/// A load step along which Newton's method goes on by so many short ones has failed,
+const PATIENCE: usize = 1;
+/// and this part of it is tried: what turns too far at once seldom does not by half the load.
+const LOADS_KEPT: f64 = 0.25;
 /// A step that needs fewer is doubled.
 const EASY_ITERATIONS: usize = 5;
 /// Steps taken over a period at least: an angle of a turn a period moves 18 degrees.
@@ -156,7 +158,9 @@ impl<'a> Tracker<'a> {
         let system = self.newton.equations.system().clone();
         let span = conditions(1.0).0 - conditions(0.0).0;
         let mut reached = 0.0;
-        let mut step = StepLength::halved(largest_step, SMALLEST_FRACTION..=largest_step);
+        let range = SMALLEST_FRACTION..=largest_step;
+        let retreat = if span <= 0.0 { LOADS_KEPT } else { 0.5 };
+        let mut step = StepLength::shortened(largest_step, range, retreat);
         while reached < 1.0 {
             self.reached = reached;
             let safe = (self.branch.longest_step() / span).max(SMALLEST_FRACTION);
