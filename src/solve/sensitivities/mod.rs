@@ -346,8 +346,16 @@ impl Solver {
         if !regular {
             return Err(singular("is not the only one nearby"));
         }
-        // Of rounding there may be no solution to rounding.
-        let Ok(increment) = self.solve(residual, Side::Plain) else {
+        // Of rounding there may be no solution; by iteration no more accurate one than it matters.
+        let increment = match self.newton.linear.multiplies() {
+            true => {
+                self.solves += 1;
+                let solved = self.newton.solve_linear(&mut residual, ESTIMATE)?;
+                solved.then_some(residual)
+            }
+            false => self.solve(residual, Side::Plain).ok(),
+        };
+        let Some(increment) = increment else {
             return Ok(());
         };
         let left = largest(&increment[self.newton.equations.layout().motions()]);

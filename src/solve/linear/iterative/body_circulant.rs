@@ -184,11 +184,6 @@ impl BodyCirculant {
         Ok(Some(circulant))
     }
 
-    /// Whether it is that of the transposed equations.
-    pub fn is_transposed(&self) -> bool {
-        self.transposed
-    }
-
     /// Unknowns of the system of the joints.
     pub fn interface_size(&self) -> usize {
         self.interface.as_ref().map_or(0, Interface::size)
@@ -217,8 +212,9 @@ impl BodyCirculant {
             self.resultants.add_transposed(resultants, x, rates);
             let (rates, frequency) = (&self.rates[..], self.frequency);
             let spaces = &mut self.workspaces;
+            let rates = (rates, frequency);
             self.resultants
-                .subtract_slopes((rates, frequency), x, transform, spaces);
+                .subtract_slopes(rates, &self.aliasing, x, transform, spaces);
         } else if !resultants.is_empty() {
             self.resultants.add_forces(resultants, x);
         }

@@ -72,14 +72,17 @@ impl Factors {
         let (x, resultants) = first.split_at_mut(size);
         factors.apply(x, resultants);
         let norm = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
-        // The transpose has the scale on the other side.
-        let scale = match factors.is_transposed() {
-            false => norm(resultants) / (RESULTANT_SHARE * norm(x)),
-            true => RESULTANT_SHARE * norm(x) / norm(resultants),
-        };
+        let scale = norm(resultants) / (RESULTANT_SHARE * norm(x));
         if scale.is_finite() && scale > 0.0 {
             factors.resultants.scale = scale;
             tangent.set_resultant_scale(scale);
+        }
+    }
+
+    /// The same where it is known.
+    pub fn set_resultant_scale(&mut self, scale: f64) {
+        if let Factors::Body(factors) = self {
+            factors.resultants.scale = scale;
         }
     }
 

@@ -75,7 +75,6 @@ pub use record::{IterativeRecord, Preconditioner};
 pub(crate) use spread::{Spread, motion_of, numbers_of, suitable};
 pub(crate) use spread_factors::SpreadFactors;
 use std::time::{Duration, Instant};
-use transposed::Transposed;
 pub(crate) use trial::missing_inertia;
 pub use trial::{LinearTrial, try_linear_solve};
 
@@ -127,7 +126,7 @@ pub(crate) struct Iterative {
     candidates: Vec<(Preconditioner, usize)>,
     factors: Option<Factors>,
     /// The same of the transposed equations, once they were wanted.
-    transposed: Option<Transposed>,
+    transposed: Option<Factors>,
     /// Whether the factors are those of an earlier Jacobian.
     is_old: bool,
     /// Whether the size of stress resultants has been found for the factors.

@@ -15,7 +15,7 @@
 
 use super::mean::MeanStrain;
 use super::transform::Transform;
-use crate::collocation::{Collocation, Station, Tangent};
+use crate::collocation::{Aliasing, Collocation, Station, Tangent};
 use crate::system::Layout;
 use crate::workers::Workers;
 use nalgebra::{Complex, Matrix6, Vector6};
@@ -110,32 +110,49 @@ impl Resultants {
         }
     }
 
-    /// Takes the derivatives of the series in `rates`, if there are any, from forces.
+    /// Takes the derivatives of the series in `rates`, if there are any, from forces, and adds what
+    /// the grid adds to rates of nodes (`aliasing`), transposed.
     pub fn subtract_slopes(
         &self,
         (rates, frequency): (&[f64], f64),
+        aliasing: &[Vec<Aliasing>],
         x: &mut [f64],
         transform: &Transform,
         workspaces: &mut Vec<Transform>,
     ) {
         let of_node = self.layout.of_node();
-        let scaled = frequency / (of_node / 6) as f64;
+        let points = of_node / 6;
         let mut parts: Vec<_> = x[..rates.len()].chunks_mut(of_node).collect();
         let new = || transform.clone();
         self.workers
             .for_each(&mut parts, workspaces, new, |transform, node, forces| {
                 let rates = &rates[node * of_node..][..of_node];
-                for component in 0..6 {
+                let mut highest = vec![Vector6::zeros(); aliasing[node].len()];
+                let slopes_of = |transform: &mut Transform, component: usize| {
                     let series = rates[component..].iter().step_by(6);
                     transform.analysis.read(series.copied());
                     let spectrum = transform.synthesis.spectrum.iter_mut();
                     let harmonics = spectrum.zip(&transform.analysis.spectrum);
                     for (j, (slope, value)) in harmonics.enumerate() {
-                        *slope = value * Complex::new(0.0, scaled * j as f64);
+                        *slope = value * Complex::new(0.0, frequency * j as f64);
+                    }
+                };
+                for component in 0..if highest.is_empty() { 0 } else { 6 } {
+                    slopes_of(transform, component);
+                    for (below, values) in highest.iter_mut().enumerate() {
+                        values[component] = transform.analysis.spectrum[points / 2 - below];
+                    }
+                }
+                for component in 0..6 {
+                    slopes_of(transform, component);
+                    for (below, (values, added)) in highest.iter().zip(&aliasing[node]).enumerate()
+                    {
+                        let by_velocity = added.velocity.column(component).dotc(values);
+                        transform.synthesis.spectrum[points / 2 - below] -= by_velocity;
                     }
                     let series = forces[component..].iter_mut().step_by(6);
                     let slopes = series.zip(transform.backward());
-                    slopes.for_each(|(force, slope)| *force -= slope);
+                    slopes.for_each(|(force, slope)| *force -= slope / points as f64);
                 }
             });
     }

@@ -1,5 +1,10 @@
 //! The transposed equations by iteration, preconditioned by the transpose of what preconditions the
 //! equations (docs/theory.md, section 13.9).
+//!
+//! From the right, where the equations are preconditioned from the left: what is iterated on is the
+//! transpose of `P⁻¹ A`, which is near identity, and not that of `A P⁻¹`, in which stiff directions
+//! drown soft ones. What is left then is an error of the gradients, which is the error of a
+//! derivative for a change of the motion of size 1.
 
 use super::factors::Factors;
 use super::interface::Bounds;
@@ -9,29 +14,26 @@ use crate::error::Result;
 use crate::solve::report::{Timings, timed};
 use crate::work::PRODUCT;
 
-/// What preconditions the transposed equations, and the size of stress resultants in them, once
-/// that is known.
-pub(super) struct Transposed {
-    factors: Factors,
-    scale: Option<f64>,
-}
-
+/// `Aᵀ P⁻ᵀ`.
 struct Operator<'a> {
     equations: &'a Collocation,
     tangent: &'a Tangent,
     factors: &'a mut Factors,
+    preconditioned: Vec<f64>,
 }
 
 impl Preconditioned for Operator<'_> {
     fn product(&mut self, x: &[f64], y: &mut [f64]) {
         let numbers = self.equations.layout().motions().len() as f64;
         self.equations.workers().work().spend(PRODUCT * numbers);
-        self.tangent.apply_transposed(self.equations, x, y);
+        self.preconditioned.copy_from_slice(x);
+        self.factors
+            .apply(&mut self.preconditioned, self.equations.size());
+        self.tangent
+            .apply_transposed(self.equations, &self.preconditioned, y);
     }
 
-    fn precondition(&mut self, y: &mut [f64]) {
-        self.factors.apply(y, self.equations.size());
-    }
+    fn precondition(&mut self, _: &mut [f64]) {}
 }
 
 impl Iterative {
@@ -48,12 +50,13 @@ impl Iterative {
             any_band: true,
             left_out: self.left_out,
         };
-        let factors = Factors::new(equations, &self.tangent, preconditioner, (bounds, true))?;
-        self.record.factorisations += usize::from(factors.is_some());
-        self.transposed = factors.map(|factors| Transposed {
-            factors,
-            scale: None,
-        });
+        // That of the equations, which the factors are told as they solve.
+        let scale = self.tangent.resultant_scale();
+        self.tangent.set_resultant_scale(1.0);
+        let factors = Factors::new(equations, &self.tangent, preconditioner, (bounds, true));
+        self.tangent.set_resultant_scale(scale);
+        self.transposed = factors?;
+        self.record.factorisations += usize::from(self.transposed.is_some());
         Ok(self.transposed.is_some())
     }
 
@@ -68,51 +71,97 @@ impl Iterative {
         let prepared = timed(&mut timings.preconditioner, || {
             self.prepare_transposed(equations)
         })?;
-        let (true, Some(transposed)) = (prepared, &mut self.transposed) else {
+        let (true, Some(factors)) = (prepared, &mut self.transposed) else {
             return Ok(false);
         };
         let size = equations.size();
-        let resultants = match &transposed.factors {
+        let resultants = match factors {
             Factors::Body(_) => self.tangent.resultants(),
             Factors::Local(_) => 0,
         };
         let mut unknowns = rhs.to_vec();
         unknowns.resize(size + resultants, 0.0);
-        // That of the equations themselves, which comes back.
-        let plain = self.tangent.resultant_scale();
-        match transposed.scale {
-            Some(scale) => self.tangent.set_resultant_scale(scale),
-            None => {
-                self.tangent.set_resultant_scale(1.0);
-                let factors = &mut transposed.factors;
-                factors.scale_resultants(&mut self.tangent, &unknowns, size);
-                transposed.scale = Some(self.tangent.resultant_scale());
-            }
-        }
+        factors.set_resultant_scale(self.tangent.resultant_scale());
         let options = GmresOptions {
             tolerance: accuracy,
             leading: equations.layout().motions().end,
             iteration_limit: self.limit,
-            essential: size,
-            parts: Parts::of(self.slenderness, accuracy),
+            essential: unknowns.len(),
+            parts: Parts::AsTheyAre,
             restart: (KEPT / size_of_val(&unknowns[..])).clamp(RESTART, self.limit.max(RESTART)),
         };
         let mut operator = Operator {
             equations,
             tangent: &self.tangent,
-            factors: &mut transposed.factors,
+            factors,
+            preconditioned: vec![0.0; unknowns.len()],
         };
         let (workers, workspace) = (equations.workers(), &mut self.workspace);
         let end = timed(&mut timings.substitution, || {
             gmres(&mut operator, &mut unknowns, &options, workers, workspace)
         });
-        self.tangent.set_resultant_scale(plain);
         let end = end?;
+        factors.apply(&mut unknowns, size);
         self.record.products.push(end.iterations);
         self.count_bytes(end.iterations.min(options.restart), unknowns.len());
         equations.workers().pulse()?;
         rhs.copy_from_slice(&unknowns[..size]);
         let solved = end.error <= accuracy || end.stagnated && is_enough(equations, end.error);
         Ok(solved && rhs.iter().all(|x| x.is_finite()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Preconditioner;
+    use super::*;
+    use crate::solve::linear::solver::LinearSolver;
+    use crate::solve::{Outcome, PeriodicOptions, solve_periodic};
+    use crate::test_models::small::{crank_rocker, one_blade};
+
+    /// `yᵀ A x`, with `A x = b` and `Aᵀ y = c`, is `yᵀ b` and `cᵀ x`.
+    #[test]
+    fn transposed_equations_take_about_as_many_products_as_the_equations() {
+        for (model, period) in [one_blade(4), crank_rocker(2, 2, 3.0)] {
+            for points in [15, 31] {
+                let options = PeriodicOptions::with_grid_points(points);
+                let solve = solve_periodic(&model, period, &options, &mut |_, _| true).unwrap();
+                assert_eq!(solve.report.outcome, Outcome::Converged);
+                let mut equations = Collocation::new(solve.system.clone(), solve.grid).unwrap();
+                let wanted = Some(Preconditioner::BodyCirculant);
+                let mut iterative = Iterative::new(&equations, wanted);
+                let timings = &mut Timings::default();
+                let state = &solve.state;
+                assert!(iterative.linearise(&mut equations, state, timings).unwrap());
+                let noise = |factor: f64| -> Vec<f64> {
+                    (0..equations.size())
+                        .map(|i| (factor * i as f64).sin())
+                        .collect()
+                };
+                let (b, c) = (noise(0.7), noise(1.3));
+                let (mut x, mut y) = (b.clone(), c.clone());
+                assert!(
+                    iterative
+                        .solve(&mut equations, &mut x, 1e-9, timings)
+                        .unwrap()
+                );
+                assert!(
+                    iterative
+                        .solve_transposed(&mut equations, &mut y, 1e-9, timings)
+                        .unwrap()
+                );
+                let [plain, transposed] = iterative.record.products[..] else {
+                    panic!("{:?}", iterative.record.products);
+                };
+                assert!(transposed <= plain + plain / 2, "{plain} {transposed}");
+                let sum = |x: &[f64], y: &[f64]| x.iter().zip(y).map(|(x, y)| x * y).sum::<f64>();
+                let size = (sum(&y, &y) * sum(&b, &b)).sqrt();
+                let (found, expected) = (sum(&y, &b), sum(&c, &x));
+                assert!(
+                    (found - expected).abs() < 1e-7 * size,
+                    "{found} {expected} {size}"
+                );
+            }
+        }
     }
 }
