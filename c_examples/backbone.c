@@ -87,7 +87,7 @@ static pdn_status print_branch(const pdn_branch *branch, double linear, double s
         status = pdn_branch_get(branch, i, &point);
         status = status ? status : pdn_branch_solution(branch, i, &solution);
         if (status == PDN_OK) {
-            status = pdn_solution_parameter(solution, 0, &damping);
+            status = pdn_solution_parameter(solution, PDN_FIRST_PARAMETER, &damping);
             pdn_solution_free(solution);
         }
         largest_angle = point.angle > largest_angle ? point.angle : largest_angle;
@@ -103,8 +103,7 @@ static pdn_status print_branch(const pdn_branch *branch, double linear, double s
 
 int main(int argc, char **argv)
 {
-    check_options(argc, argv,
-                  "--clamps --elements --degree --harmonics --amplitude --to --out");
+    check_options(argc, argv, "--clamps --elements --degree --harmonics --amplitude --to --out");
     const int both = option_count(argc, argv, "--clamps", 1) == 2;
     const size_t elements = option_count(argc, argv, "--elements", 40);
     const size_t degree = option_count(argc, argv, "--degree", 1);

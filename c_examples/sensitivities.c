@@ -84,9 +84,10 @@ int main(int argc, char **argv)
     }
     TRY(pdn_model_move_number(model, p[0], PDN_NUMBER_STIFFNESS, spring, 1, 1));
     TRY(pdn_model_move_number(model, p[1], PDN_NUMBER_DAMPING, spring, 1, 1));
-    for (int32_t e = 0; e < (int32_t)elements; ++e) {
-        TRY(pdn_model_move_number(model, p[2], PDN_NUMBER_BEAM_STIFFNESS, e, 0, 1));
-        TRY(pdn_model_move_number(model, p[3], PDN_NUMBER_BEAM_MASS, e, 0, 1));
+    for (int32_t k = 0; k < blade.elements; ++k) {
+        const int32_t element = blade.first_element + k;
+        TRY(pdn_model_move_number(model, p[2], PDN_NUMBER_BEAM_STIFFNESS, element, 0, 1));
+        TRY(pdn_model_move_number(model, p[3], PDN_NUMBER_BEAM_MASS, element, 0, 1));
     }
     TRY(pdn_model_move_signal(model, p[4], PDN_SIGNAL_OF_LOAD, 0, PDN_FORCE_3, PDN_PART_MEAN, 1));
 

@@ -39,6 +39,13 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_SIGNAL_SAMPLES = 1201
     integer(c_int32_t), parameter :: PDN_SIGNAL_FUNCTION = 1202
     integer(c_int32_t), parameter :: PDN_SIGNAL_FUNCTION_OF_PHASE = 1203
+    integer(c_int32_t), parameter :: PDN_FIRST_NODE = 100000000
+    integer(c_int32_t), parameter :: PDN_FIRST_JOINT = 200000000
+    integer(c_int32_t), parameter :: PDN_FIRST_BEAM_ELEMENT = 300000000
+    integer(c_int32_t), parameter :: PDN_FIRST_SHELL_ELEMENT = 400000000
+    integer(c_int32_t), parameter :: PDN_FIRST_FORCE = 500000000
+    integer(c_int32_t), parameter :: PDN_FIRST_RELATION = 600000000
+    integer(c_int32_t), parameter :: PDN_FIRST_PARAMETER = 700000000
     integer(c_int32_t), parameter :: PDN_GROUND = -1
     integer(c_int32_t), parameter :: PDN_JOINT_RIGID = 1300
     integer(c_int32_t), parameter :: PDN_JOINT_REVOLUTE = 1301

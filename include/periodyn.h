@@ -165,6 +165,44 @@
 #define PDN_SIGNAL_FUNCTION_OF_PHASE 1203
 
 /**
+ * Id of the node that was added first, or of the rigid body, which is one.
+ *
+ * Those of the others of a kind follow, in the order in which they were added: the node that
+ * messages and reports call node 3 is PDN_FIRST_NODE + 3. A kind has 100 million at most.
+ */
+#define PDN_FIRST_NODE 100000000
+
+/**
+ * Id of the joint that was added first.
+ */
+#define PDN_FIRST_JOINT 200000000
+
+/**
+ * Id of the beam element that was added first.
+ */
+#define PDN_FIRST_BEAM_ELEMENT 300000000
+
+/**
+ * Id of the shell element that was added first.
+ */
+#define PDN_FIRST_SHELL_ELEMENT 400000000
+
+/**
+ * Id of the force that was added first, which is no load.
+ */
+#define PDN_FIRST_FORCE 500000000
+
+/**
+ * Id of the linear relation between joint coordinates that was added first.
+ */
+#define PDN_FIRST_RELATION 600000000
+
+/**
+ * Id of the parameter that was added first.
+ */
+#define PDN_FIRST_PARAMETER 700000000
+
+/**
  * In place of a node's id: the ground, which does not move.
  */
 #define PDN_GROUND -1
@@ -5820,7 +5858,7 @@ pdn_status pdn_model_add_surface_force(struct pdn_model *model,
 /**
  * Gives a node, joint, element, force or relation a label, in place of the one that it has.
  *
- * Messages and reports name it after the id, as in: joint 3 "crank pin". Labels are saved and
+ * Messages and reports name it after its number, as in: joint 3 "crank pin". Labels are saved and
  * copied with the model, and solutions keep those that it has when it is solved.
  *
  * @param model  the model; not NULL
@@ -7229,8 +7267,9 @@ pdn_status pdn_model_add_parameter(struct pdn_model *model,
  * @param model  the model; not NULL
  * @param parameter  id of the parameter
  * @param number  PDN_NUMBER_STIFFNESS, ...
- * @param index  of the force, the body, the beam or the shell element; 0 for
- *     PDN_NUMBER_MASS_DAMPING and PDN_NUMBER_FRAME_RATE
+ * @param index  id of the force, the beam element or the shell element; which of the bodies with
+ *     inertia, from 0 in the order of ::pdn_model_inertia; 0 for PDN_NUMBER_MASS_DAMPING and
+ *     PDN_NUMBER_FRAME_RATE
  * @param power  power, from 1, of a stiffness or damping; 0 for all else
  * @param factor  the number for a unit of the parameter, not zero
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID (no such parameter or number),
@@ -7254,7 +7293,8 @@ pdn_status pdn_model_move_number(struct pdn_model *model,
  * @param model  the model; not NULL
  * @param parameter  id of the parameter
  * @param place  what has the signal: PDN_SIGNAL_OF_ACTUATOR, ...
- * @param index  which of them
+ * @param index  id of the actuator or the relation; of prescribed coordinates and loads which of
+ *     them, from 0 in the order in which they were added; 0 for gravity
  * @param component  of a load PDN_FORCE_1, ... or PDN_MOMENT_3, of gravity from 0 to 2; 0 for all
  *     else
  * @param part  PDN_PART_MEAN, PDN_PART_RATE, PDN_PART_AMPLITUDE or PDN_PART_PHASE

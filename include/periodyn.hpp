@@ -37,6 +37,12 @@ namespace periodyn
 
 /** In place of a node's id: the ground. */
 constexpr std::int32_t ground = PDN_GROUND;
+/** Ids of what was added first; those of the others of a kind follow. */
+constexpr std::int32_t first_node = PDN_FIRST_NODE, first_joint = PDN_FIRST_JOINT,
+                       first_beam_element = PDN_FIRST_BEAM_ELEMENT,
+                       first_shell_element = PDN_FIRST_SHELL_ELEMENT,
+                       first_force = PDN_FIRST_FORCE, first_relation = PDN_FIRST_RELATION,
+                       first_parameter = PDN_FIRST_PARAMETER;
 
 /** A point or a direction. */
 using Vector3 = std::array<double, 3>;

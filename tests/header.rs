@@ -12,6 +12,7 @@ const FILES: &[&str] = &[
     "guard",
     "section",
     "signal",
+    "id",
     "model",
     "joint",
     "relation",

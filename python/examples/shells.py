@@ -59,7 +59,8 @@ def roll_up():
     flat = pdn.Surface().set_parallelogram([0, 0, 0], [12, 0, 0], [0, 1, 0])
     model, nodes = shell(flat, (6, 1), section(0.1, 1.2e6, 0))
     clamp(model, nodes[0])
-    model.add_shell_load(5, 1, pdn.SHELL_EDGE_END_XI, pdn.FRAME_MATERIAL, pdn.MOMENT_1,
+    last = pdn.FIRST_SHELL_ELEMENT + 5
+    model.add_shell_load(last, 1, pdn.SHELL_EDGE_END_XI, pdn.FRAME_MATERIAL, pdn.MOMENT_1,
                          -2 * np.pi * 1.2e6 * 0.1**3 / 12 / 12)
     return "Rolled up", model, nodes, [nodes[-1, 0]], 4
 

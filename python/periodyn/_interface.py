@@ -72,6 +72,23 @@ SIGNAL_FUNCTION = 1202
 """Kind of a signal: a function of the caller."""
 SIGNAL_FUNCTION_OF_PHASE = 1203
 """Kind of a signal: a function of the caller, of the phase."""
+FIRST_NODE = 100000000
+"""Id of the node that was added first, or of the rigid body, which is one. Those of the others of
+a kind follow, in the order in which they were added: the node that messages and reports call
+node 3 is FIRST_NODE + 3. A kind has 100 million at most.
+"""
+FIRST_JOINT = 200000000
+"""Id of the joint that was added first."""
+FIRST_BEAM_ELEMENT = 300000000
+"""Id of the beam element that was added first."""
+FIRST_SHELL_ELEMENT = 400000000
+"""Id of the shell element that was added first."""
+FIRST_FORCE = 500000000
+"""Id of the force that was added first, which is no load."""
+FIRST_RELATION = 600000000
+"""Id of the linear relation between joint coordinates that was added first."""
+FIRST_PARAMETER = 700000000
+"""Id of the parameter that was added first."""
 GROUND = -1
 """In place of a node's id: the ground, which does not move."""
 JOINT_RIGID = 1300
@@ -4276,8 +4293,8 @@ class Model(ModelExtras):
         """Gives a node, joint, element, force or relation a label, in place of the one that it
         has.
 
-        Messages and reports name it after the id, as in: joint 3 "crank pin". Labels are saved
-        and copied with the model, and solutions keep those that it has when it is solved.
+        Messages and reports name it after its number, as in: joint 3 "crank pin". Labels are
+        saved and copied with the model, and solutions keep those that it has when it is solved.
 
         Args:
             kind: OBJECT_NODE to OBJECT_RELATION
@@ -4535,8 +4552,9 @@ class Model(ModelExtras):
         Args:
             parameter: id of the parameter
             number: NUMBER_STIFFNESS,
-            index: of the force, the body, the beam or the shell element; 0 for
-                NUMBER_MASS_DAMPING and NUMBER_FRAME_RATE
+            index: id of the force, the beam element or the shell element; which of the bodies
+                with inertia, from 0 in the order of Model.inertia; 0 for NUMBER_MASS_DAMPING
+                and NUMBER_FRAME_RATE
             power: power, from 1, of a stiffness or damping; 0 for all else
             factor: the number for a unit of the parameter, not zero
         """
@@ -4549,7 +4567,8 @@ class Model(ModelExtras):
         Args:
             parameter: id of the parameter
             place: what has the signal: SIGNAL_OF_ACTUATOR,
-            index: which of them
+            index: id of the actuator or the relation; of prescribed coordinates and loads which
+                of them, from 0 in the order in which they were added; 0 for gravity
             component: of a load FORCE_1, ... or MOMENT_3, of gravity from 0 to 2; 0 for all
                 else
             part: PART_MEAN, PART_RATE, PART_AMPLITUDE or PART_PHASE

@@ -99,16 +99,16 @@ def test_multipliers():
 
 def test_like_blades_are_said_and_read():
     model = pdn.Model()
-    for angle in 2 * np.pi * np.arange(3) / 3:
-        model.add_rigid_body(1.0, [np.cos(angle), np.sin(angle), 0], np.eye(3))
-    model.set_rotor_symmetry([0, 0, 2], 3, [0, 1, 2], [])
+    bodies = [model.add_rigid_body(1.0, [np.cos(angle), np.sin(angle), 0], np.eye(3))
+              for angle in 2 * np.pi * np.arange(3) / 3]
+    model.set_rotor_symmetry([0, 0, 2], 3, bodies, [])
     axis, point, blades, of_blade, of_hub = model.rotor_symmetry()
     np.testing.assert_array_equal(axis, [0, 0, 1])
     np.testing.assert_array_equal(point, np.zeros(3))
     assert (blades, of_blade, of_hub) == (3, 1, 0)
-    assert model.rotor_node(1, 0) == 1
+    assert model.rotor_node(1, 0) == bodies[1]
     with pytest.raises(pdn.Error, match="blades: expected an odd number"):
-        model.set_rotor_symmetry([0, 0, 1], 2, [0, 1], [])
+        model.set_rotor_symmetry([0, 0, 1], 2, bodies[:2], [])
 
 
 def test_a_frame_that_turns_softens_a_radial_spring():

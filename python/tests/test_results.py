@@ -114,7 +114,7 @@ def test_stations_along_a_line():
 def test_solutions_are_pickled_and_read_again(tmp_path):
     solution = solution_for(4.0)
     again = pickle.loads(pickle.dumps(solution))
-    np.testing.assert_array_equal(again.node_position(0, TIMES), solution.node_position(0, TIMES))
+    np.testing.assert_array_equal(again.node_position(pdn.FIRST_NODE, TIMES), solution.node_position(pdn.FIRST_NODE, TIMES))
     solution.save(tmp_path / "saved")
     assert pdn.Solution.load(tmp_path / "saved").model().node_count() == 1
 
@@ -144,7 +144,7 @@ def test_models_are_copied_pickled_and_read_again(tmp_path):
 def test_tables(tmp_path):
     solution = solution_for(4.0)
     table = pdn.Table(TIMES)
-    table.add_node(solution, 0, pdn.NODE_POSITION, "mass")
+    table.add_node(solution, pdn.FIRST_NODE, pdn.NODE_POSITION, "mass")
     table.add_values("twice", 2 * TIMES)
     table.write_csv(tmp_path / "table.csv")
     read = np.genfromtxt(tmp_path / "table.csv", delimiter=",", names=True)

@@ -8,6 +8,7 @@ import periodyn as pdn
 
 LENGTH, WIDTH, THICKNESS, YOUNG = 2.0, 0.5, 0.02, 3e6
 PER_AREA = 1200 * THICKNESS
+SECOND = pdn.FIRST_SHELL_ELEMENT + 1
 
 
 def rubber():
@@ -34,23 +35,26 @@ def over_points(model):
 def test_a_traction_stretches_a_strip(add):
     model = pdn.Model()
     shell = add(model)
-    assert (shell.nodes_u, shell.nodes_v, shell.first_element) == (5, 2, 0)
+    assert (shell.nodes_u, shell.nodes_v) == (5, 2)
+    assert shell.first_element == pdn.FIRST_SHELL_ELEMENT
     assert model.shell_element_count() == 2
-    assert model.add_rigid_joints(pdn.GROUND, [model.shell_patch_node(shell, 0, 0)]) == (0, 1)
+    corner = model.shell_patch_node(shell, 0, 0)
+    assert model.add_rigid_joints(pdn.GROUND, [corner]) == (pdn.FIRST_JOINT, 1)
     # The corner is held already.
-    assert model.add_rigid_edge(pdn.GROUND, shell, pdn.SHELL_EDGE_START_XI) == (1, 1)
-    model.add_shell_load(1, 1, pdn.SHELL_EDGE_END_XI, pdn.FRAME_SPACE, pdn.FORCE_1, 600.0)
+    others = model.add_rigid_edge(pdn.GROUND, shell, pdn.SHELL_EDGE_START_XI)
+    assert others == (pdn.FIRST_JOINT + 1, 1)
+    model.add_shell_load(SECOND, 1, pdn.SHELL_EDGE_END_XI, pdn.FRAME_SPACE, pdn.FORCE_1, 600.0)
     solution = model.solve_static()
     assert solution.converged
-    tip = model.shell_node(1, 2, 0)
+    tip = model.shell_node(SECOND, 2, 0)
     assert tip == model.shell_patch_node(shell, 4, 0)
     stress = pdn.Quantity()
-    stress.kind, stress.object, stress.direction = pdn.QUANTITY_STRESS_TOP, 1, [0, 1, 0]
+    stress.kind, stress.object, stress.direction = pdn.QUANTITY_STRESS_TOP, SECOND, [0, 1, 0]
     stresses = solution.sample_quantity(stress, [0])
     np.testing.assert_allclose(stresses, [[0, 600 / THICKNESS, 0, 600 / THICKNESS]], atol=1e-5)
     stretch = solution.node_position(tip, [0])[0, 0] - LENGTH
     np.testing.assert_allclose(stretch, 600 * LENGTH / (YOUNG * THICKNESS), rtol=1e-12)
-    model.set_shell_prestress(0, 2, 600 * np.eye(12)[0])
+    model.set_shell_prestress(shell.first_element, 2, 600 * np.eye(12)[0])
     place = model.solve_static().node_position(tip, [0])[0, 0]
     np.testing.assert_allclose(place, LENGTH, rtol=1e-12)
 
@@ -61,21 +65,22 @@ def test_a_pressure_by_a_function_is_the_load():
         shell = over_rectangle(model)
         model.add_rigid_edge(pdn.GROUND, shell, pdn.SHELL_EDGE_START_XI)
         if given is None:
-            model.add_shell_load(1, 1, pdn.SHELL_SURFACE, pdn.FRAME_MATERIAL, pdn.FORCE_3, 0.05)
+            model.add_shell_load(SECOND, 1, pdn.SHELL_SURFACE, pdn.FRAME_MATERIAL, pdn.FORCE_3,
+                                 0.05)
         else:
             def wind(state, values):
-                assert state.element == 1 and state.places.shape == (len(state.sizes), 2)
+                assert state.element == SECOND and state.places.shape == (len(state.sizes), 2)
                 np.testing.assert_allclose(state.sizes.sum(), LENGTH * WIDTH / 2)
                 values.forces[:, 2] = 0.05 - 3 * state.velocities[:, 2]
                 if values.by_velocity is not None:
                     values.by_velocity[:, 2, 2] = -3
 
-            force = model.add_surface_force(1, 1, pdn.SHELL_SURFACE, pdn.FRAME_MATERIAL, given,
-                                            wind)
-            assert model.force(force).shell_element == 1
+            force = model.add_surface_force(SECOND, 1, pdn.SHELL_SURFACE, pdn.FRAME_MATERIAL,
+                                            given, wind)
+            assert model.force(force).shell_element == SECOND
             if given == pdn.TANGENTS_GIVEN:
                 assert model.check_tangents(force, 1.0).error < 1e-7
-        return model.solve_static().node_position(model.shell_node(1, 2, 0), [0])[0, 2]
+        return model.solve_static().node_position(model.shell_node(SECOND, 2, 0), [0])[0, 2]
 
     assert bent(None) > 1e-3
     for given in (pdn.TANGENTS_GIVEN, pdn.TANGENTS_DIFFERENCED):
@@ -93,7 +98,7 @@ def test_cells_and_surfaces_have_their_masses():
     nodes = [model.add_node([x, y, 5]) for x in (0, LENGTH) for y in (0, WIDTH)]
     placement = pdn.ShellPlacement()
     placement.frames = pdn.SHELL_PARALLEL
-    assert model.add_shell_element(nodes, 2, section, placement) == 1
+    assert model.add_shell_element(nodes, 2, section, placement) == SECOND
     annulus = pdn.Surface().set_annulus([0, 0, 0], [0, 0, 1], [1, 0, 0], 0.5, 1, np.pi)
     model.add_shell(annulus, 1, 4, 2, 6, section)
     cylinder = pdn.Surface().set_cylinder([0, 0, 0], [0, 0, 1], [1, 0, 0], 1, 2, 2 * np.pi)

@@ -2,8 +2,9 @@
 
 use super::call::Call;
 use super::guard::{guard, init};
+use super::id::Kind;
 use super::line::{self, Line, pdn_line};
-use super::model::{self, next_id, pdn_model, vector};
+use super::model::{self, pdn_model, vector};
 use super::options::Options;
 use super::pointer::check_pointer;
 use super::section::{self, pdn_section, read_struct};
@@ -113,13 +114,14 @@ fn add_meshed(
     add: impl FnOnce(&mut Model) -> Result<BeamIds>,
 ) -> Result<pdn_beam> {
     Model::require_mesh(elements, degree)?;
-    let first = next_id(model.node_count(), elements * degree + 1, "elements")?;
-    let first_element = next_id(model.beam_element_count(), elements, "elements")?;
+    let first = Kind::Node.next(model.node_count(), elements * degree + 1, "elements")?;
+    let there = model.beam_element_count();
+    let first_element = Kind::BeamElement.next(there, elements, "elements")?;
     let ids = add(model)?;
-    // In range, as `next_id` has found out.
+    // In range, as was found out.
     Ok(pdn_beam {
         first,
-        last: ids.last_node as i32,
+        last: Kind::Node.id(ids.last_node),
         first_element,
         elements: elements as i32,
         reserved: [0; 4],
@@ -179,7 +181,7 @@ pub unsafe extern "C" fn pdn_model_add_beam_element(
         let nodes = model::nodes(call, &model, (nodes, count), "nodes")?;
         let section = section::read(call, section, "section")?;
         let element = call.out(element, "element")?;
-        let id = next_id(model.beam_element_count(), 1, "element")?;
+        let id = Kind::BeamElement.next(model.beam_element_count(), 1, "element")?;
         model.add_beam_element(&nodes, &section)?;
         element.set(id);
         Ok(())

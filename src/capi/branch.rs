@@ -4,8 +4,9 @@ use super::call::Call;
 use super::condition::{free_parameter, pdn_conditions};
 use super::guard::{free, guard, guard_or, init};
 use super::handle::Handle;
+use super::id::Kind;
 use super::last_error::copy_message;
-use super::model::{index, pdn_model};
+use super::model::{number, pdn_model};
 use super::options::Options;
 use super::periodic::{pdn_periodic_options, read_options};
 use super::quantity::{pdn_quantity, selections};
@@ -423,7 +424,7 @@ pub unsafe extern "C" fn pdn_switch_branch(
 ) -> pdn_status {
     guard(|call| {
         let branch = call.shared(branch, "branch")?;
-        let point = index(point, branch.points.len(), "point", "a point")?;
+        let point = number(point, branch.points.len(), "point", "a point")?;
         let amplitude = call.number(amplitude, "amplitude")?;
         let (given, options) = options_for(call, options, &branch)?;
         let out = call.out(out, "out")?;
@@ -461,7 +462,7 @@ pub unsafe extern "C" fn pdn_follow_locus(
 ) -> pdn_status {
     guard(|call| {
         let branch = call.shared(branch, "branch")?;
-        let point = index(point, branch.points.len(), "point", "a point")?;
+        let point = number(point, branch.points.len(), "point", "a point")?;
         let second = free_parameter(branch.model(), parameter)?;
         let (given, options) = options_for(call, options, &branch)?;
         let out = call.out(out, "out")?;
@@ -650,7 +651,7 @@ pub unsafe extern "C" fn pdn_branch_get(
 ) -> pdn_status {
     guard(|call| {
         let branch = call.shared(branch, "branch")?;
-        let point = index(point, branch.points.len(), "point", "a point")?;
+        let point = number(point, branch.points.len(), "point", "a point")?;
         let out = call.out_struct(out, "out")?;
         out.set(pdn_branch_point::of(&branch.points[point]));
         Ok(())
@@ -674,7 +675,7 @@ pub unsafe extern "C" fn pdn_branch_solution(
 ) -> pdn_status {
     guard(|call| {
         let branch = call.shared(branch, "branch")?;
-        let point = index(point, branch.points.len(), "point", "a point")?;
+        let point = number(point, branch.points.len(), "point", "a point")?;
         let out = call.out(out, "out")?;
         out.give(branch.solution(point)?);
         Ok(())
@@ -751,7 +752,7 @@ pub unsafe extern "C" fn pdn_branch_write_campbell(
         let blades = call.slice(blades, count, "blades")?.iter().enumerate();
         let blades = blades.map(|(k, &node)| {
             let name = format!("blades[{k}]");
-            index(node, total, &name, "a node id")
+            Kind::Node.index_below(node, total, &name, "a node id")
         });
         let blades = blades.collect::<Result<Vec<_>>>()?;
         branch.write_campbell(Path::new(call.text(path, "path")?), &options, &blades)

@@ -3,6 +3,7 @@
 use super::call::Call;
 use super::guard::{free, guard};
 use super::handle::Handle;
+use super::id::Kind;
 use super::joint::coordinate;
 use super::model::pdn_model;
 use super::parameter::{PDN_FREQUENCY, parameter};
@@ -100,9 +101,8 @@ pub unsafe extern "C" fn pdn_conditions_release(
 ) -> pdn_status {
     guard(|call| {
         let mut conditions = call.exclusive(conditions, "conditions")?;
-        if parameter < 0 && parameter != PDN_FREQUENCY {
-            let expected = "a parameter id or PDN_FREQUENCY";
-            return Err(Error::value("parameter", expected, parameter));
+        if parameter != PDN_FREQUENCY {
+            Kind::Parameter.index(parameter, "parameter")?;
         }
         conditions.parameters.push(parameter);
         Ok(())
@@ -286,8 +286,7 @@ pub unsafe extern "C" fn pdn_conditions_add_joint_coordinate(
 ) -> pdn_status {
     guard(|call| {
         let mut conditions = call.exclusive(conditions, "conditions")?;
-        let joint =
-            usize::try_from(joint).map_err(|_| Error::value("joint", "a joint id", joint))?;
+        let joint = Kind::Joint.index(joint, "joint")?;
         let at = JointCoordinate {
             joint,
             coordinate: self::coordinate(coordinate, "coordinate")?,

@@ -2,9 +2,12 @@
 
 use super::bushing::angles_code;
 use super::guard::{guard, init};
+use super::id::Kind;
 use super::joint::{coordinate_code, joint_code};
 use super::load::{PDN_FRAME_MATERIAL, PDN_FRAME_SPACE};
-use super::model::{PDN_GROUND, choose, count, force, index, joint, pdn_frame, pdn_model};
+use super::model::{
+    PDN_GROUND, beam_element, choose, count, force, joint, number, pdn_frame, pdn_model,
+};
 use super::options::Options;
 use super::parameter::{PDN_NUMBER_DAMPING, PDN_NUMBER_STIFFNESS, signal_place};
 use super::section::pdn_section;
@@ -143,8 +146,7 @@ pub unsafe extern "C" fn pdn_force_info_init(info: *mut pdn_force_info, struct_s
 
 /// An id, or what stands for the ground.
 fn id_of(node: Option<usize>) -> i32 {
-    // Ids fit: no more were made than they can name.
-    node.map_or(PDN_GROUND, |node| node as i32)
+    node.map_or(PDN_GROUND, |node| Kind::Node.id(node))
 }
 
 fn frames_of(model: &Model, ends: [Attachment; 2]) -> [pdn_frame; 2] {
@@ -228,7 +230,7 @@ pub unsafe extern "C" fn pdn_model_force(
         let at = force.at();
         let mut info = pdn_force_info {
             kind: force_kind(force),
-            joint: at.map_or(-1, |at| at.joint as i32),
+            joint: at.map_or(-1, |at| Kind::Joint.id(at.joint)),
             coordinate: at.map_or(-1, |at| coordinate_code(at.coordinate)),
             first: PDN_GROUND,
             second: PDN_GROUND,
@@ -243,7 +245,7 @@ pub unsafe extern "C" fn pdn_model_force(
         };
         if let ForceDefinition::SurfaceForces { element, place, .. } = force {
             // In range, as all ids.
-            info.shell_element = *element as i32;
+            info.shell_element = Kind::ShellElement.id(*element);
             info.shell_place = place_code(*place);
         }
         if let Some(ends) = force.ends() {
@@ -294,7 +296,7 @@ pub unsafe extern "C" fn pdn_model_force_number(
         let expected = "PDN_NUMBER_STIFFNESS, PDN_NUMBER_DAMPING or PDN_NUMBER_RELAXATION_TIME";
         let which = choose(&table, number, "number", expected)?;
         let numbers = model.force(id)?.numbers(which);
-        let place = self::index(index, numbers.len(), "index", "a number")?;
+        let place = super::model::number(index, numbers.len(), "index", "a number")?;
         call.out(out, "out")?.set(numbers[place]);
         Ok(())
     })
@@ -321,8 +323,8 @@ pub unsafe extern "C" fn pdn_model_force_node(
         let model = call.shared(model, "model")?;
         let id = self::force(&model, force, "force")?;
         let nodes = model.force(id)?.user_nodes();
-        let place = self::index(index, nodes.len(), "index", "a node of the force")?;
-        call.out(node, "node")?.set(nodes[place] as i32);
+        let place = number(index, nodes.len(), "index", "a node of the force")?;
+        call.out(node, "node")?.set(Kind::Node.id(nodes[place]));
         Ok(())
     })
 }
@@ -344,20 +346,11 @@ pub unsafe extern "C" fn pdn_model_beam_element_node_count(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let element = beam_element(&model, element)?;
+        let element = beam_element(&model, element, "element")?;
         let nodes = &model.beam_definition(element)?.nodes;
         call.out(count, "count")?.set(nodes.len() as i32);
         Ok(())
     })
-}
-
-fn beam_element(model: &Model, id: i32) -> Result<usize> {
-    index(
-        id,
-        model.beam_element_count(),
-        "element",
-        "a beam element id",
-    )
 }
 
 /// A node of a beam element, in order along the beam.
@@ -379,10 +372,10 @@ pub unsafe extern "C" fn pdn_model_beam_element_node(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let element = beam_element(&model, element)?;
+        let element = beam_element(&model, element, "element")?;
         let nodes = &model.beam_definition(element)?.nodes;
-        let place = self::index(index, nodes.len(), "index", "a node of the element")?;
-        call.out(node, "node")?.set(nodes[place] as i32);
+        let place = number(index, nodes.len(), "index", "a node of the element")?;
+        call.out(node, "node")?.set(Kind::Node.id(nodes[place]));
         Ok(())
     })
 }
@@ -409,7 +402,7 @@ pub unsafe extern "C" fn pdn_model_beam_section(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let element = beam_element(&model, element)?;
+        let element = beam_element(&model, element, "element")?;
         let out = call.out_struct(out, "out")?;
         let twist_out = call.out_optional(twist, "twist")?;
         let (section, twist) = model.beam_section(element, station)?;
@@ -461,11 +454,11 @@ pub unsafe extern "C" fn pdn_model_inertia(
     guard(|call| {
         let model = call.shared(model, "model")?;
         let all: Vec<_> = model.inertias().collect();
-        let place = self::index(index, all.len(), "index", "an inertia")?;
+        let place = number(index, all.len(), "index", "an inertia")?;
         let node_out = call.out(node, "node")?;
         let matrix_out = call.out_slice(matrix, 36, 36, "matrix")?;
         let (node, inertia) = &all[place];
-        node_out.set(*node as i32);
+        node_out.set(Kind::Node.id(*node));
         matrix_out.set(inertia.as_slice());
         Ok(())
     })
@@ -492,11 +485,11 @@ pub unsafe extern "C" fn pdn_model_prescribed(
     guard(|call| {
         let model = call.shared(model, "model")?;
         let all = model.prescribed();
-        let place = self::index(index, all.len(), "index", "a prescribed coordinate")?;
+        let place = number(index, all.len(), "index", "a prescribed coordinate")?;
         let joint_out = call.out(joint, "joint")?;
         let coordinate_out = call.out(coordinate, "coordinate")?;
         let (at, _) = &all[place];
-        joint_out.set(at.joint as i32);
+        joint_out.set(Kind::Joint.id(at.joint));
         coordinate_out.set(coordinate_code(at.coordinate));
         Ok(())
     })
@@ -539,10 +532,10 @@ pub unsafe extern "C" fn pdn_model_load_at(
     guard(|call| {
         let model = call.shared(model, "model")?;
         let all = model.loads();
-        let place = self::index(index, all.len(), "index", "a load")?;
+        let place = number(index, all.len(), "index", "a load")?;
         let node_out = call.out(node, "node")?;
         let frame_out = call.out(frame, "frame")?;
-        node_out.set(all[place].node as i32);
+        node_out.set(Kind::Node.id(all[place].node));
         frame_out.set(match all[place].frame {
             LoadFrame::Space => PDN_FRAME_SPACE,
             LoadFrame::Follower => PDN_FRAME_MATERIAL,
@@ -576,7 +569,7 @@ pub unsafe extern "C" fn pdn_model_relation_term_count(
 }
 
 fn relation(model: &Model, id: i32) -> Result<usize> {
-    index(id, model.relation_count(), "relation", "a relation id")
+    Kind::Relation.index_below(id, model.relation_count(), "relation", "a relation id")
 }
 
 /// A coordinate of a linear relation, and its coefficient.
@@ -604,12 +597,12 @@ pub unsafe extern "C" fn pdn_model_relation_term(
         let model = call.shared(model, "model")?;
         let relation = self::relation(&model, relation)?;
         let terms = &model.relation(relation)?.terms;
-        let place = self::index(index, terms.len(), "index", "a coordinate of the relation")?;
+        let place = number(index, terms.len(), "index", "a coordinate of the relation")?;
         let joint_out = call.out(joint, "joint")?;
         let coordinate_out = call.out(coordinate, "coordinate")?;
         let coefficient_out = call.out(coefficient, "coefficient")?;
         let (at, given) = &terms[place];
-        joint_out.set(at.joint as i32);
+        joint_out.set(Kind::Joint.id(at.joint));
         coordinate_out.set(coordinate_code(at.coordinate));
         coefficient_out.set(*given);
         Ok(())

@@ -5,8 +5,9 @@ use super::call::Call;
 use super::callback::Callback;
 use super::force::add_force;
 use super::guard::guard;
+use super::id::Kind;
 use super::joint::{coordinate, coordinate_code};
-use super::model::{force, index, joint, pdn_model};
+use super::model::{force, joint, number, pdn_model};
 use super::status::pdn_status;
 use super::user_force::{gives_tangents, pdn_destroy_fn};
 use crate::elements::{ControllerInput, ControllerLaw, ControllerOutput, ControllerState};
@@ -370,12 +371,12 @@ pub unsafe extern "C" fn pdn_model_controller_coordinate(
             .iter()
             .chain(&controller.outputs)
             .collect();
-        let at = all[self::index(index, all.len(), "index", "a coordinate of the controller")?];
+        let at = all[number(index, all.len(), "index", "a coordinate of the controller")?];
         let (joint, coordinate) = (
             call.out(joint, "joint")?,
             call.out(coordinate, "coordinate")?,
         );
-        joint.set(at.joint as i32);
+        joint.set(Kind::Joint.id(at.joint));
         coordinate.set(coordinate_code(at.coordinate));
         Ok(())
     })
@@ -404,7 +405,7 @@ pub unsafe extern "C" fn pdn_model_controller_state(
         let model = call.shared(model, "model")?;
         let force = self::force(&model, force, "force")?;
         let states = &model.require_controller(force)?.states;
-        let state = states[self::index(index, states.len(), "index", "a state of the controller")?];
+        let state = states[number(index, states.len(), "index", "a state of the controller")?];
         let out = [
             (call.out_optional(initial, "initial")?, state.initial),
             (call.out_optional(size, "size")?, state.size),

@@ -3,6 +3,7 @@
 use super::call::Call;
 use super::guard::{free, guard, init};
 use super::handle::Handle;
+use super::id::Kind;
 use super::linear_solver::{PDN_LINEAR_AUTOMATIC, preconditioner_code, read_linear_solver};
 use super::model::pdn_model;
 use super::options::Options;
@@ -376,9 +377,7 @@ pub unsafe extern "C" fn pdn_equations_nodes(
         let core = call.shared(equations, "equations")?;
         let nodes = locked(&core)?.nodes();
         let out = call.out_slice(out, count, nodes.len(), "out")?;
-        let nodes = nodes
-            .into_iter()
-            .map(|node| i32::try_from(node).unwrap_or(i32::MAX));
+        let nodes = nodes.into_iter().map(|node| Kind::Node.id(node));
         out.set(&nodes.collect::<Vec<_>>());
         Ok(())
     })

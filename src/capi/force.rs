@@ -5,8 +5,9 @@
 
 use super::call::Call;
 use super::guard::guard;
+use super::id::Kind;
 use super::joint::joint_coordinate;
-use super::model::{body, motion, next_id, pdn_frame, pdn_model};
+use super::model::{body, motion, pdn_frame, pdn_model};
 use super::signal::{self, pdn_signal};
 use super::status::pdn_status;
 use crate::elements::MaxwellBranch;
@@ -14,8 +15,8 @@ use crate::error::Result;
 use crate::model::{JointCoordinate, Model, SpringDefinition};
 use nalgebra::Matrix6;
 
-/// Number of forces: springs, dampers, actuators and the like, but not loads; their ids are 0 ...
-/// count - 1.
+/// Number of forces: springs, dampers, actuators and the like, but not loads; their ids follow each
+/// other from PDN_FIRST_FORCE on.
 ///
 /// @param model  the model; not NULL
 /// @param count  the number; written on success only
@@ -42,7 +43,7 @@ pub(super) fn add_force<T>(
         let mut model = call.exclusive(model, "model")?;
         let given = read(call, &model)?;
         let out = call.out_optional(force, "force")?;
-        let id = next_id(model.force_count(), 1, "force")?;
+        let id = Kind::Force.next(model.force_count(), 1, "force")?;
         add(&mut model, given)?;
         if let Some(out) = out {
             out.set(id);

@@ -1,7 +1,8 @@
 //! Solutions: what forces do at any time.
 
+use super::id::Kind;
 use super::load::load_frame;
-use super::solution::{Samples, SeriesOut, harmonics_of, index, pdn_solution};
+use super::solution::{Samples, SeriesOut, harmonics_of, pdn_solution, place};
 use super::status::pdn_status;
 use crate::elements::LoadFrame;
 use crate::error::{Error, Result};
@@ -26,19 +27,25 @@ fn force_at(
     force: i32,
     quantity: impl FnOnce() -> Result<ForceQuantity>,
 ) -> pdn_status {
-    to.take(|_| Ok(Quantity::Force(index(force, "force")?, quantity()?)))
+    to.take(|_| {
+        Ok(Quantity::Force(
+            Kind::Force.index(force, "force")?,
+            quantity()?,
+        ))
+    })
 }
 
 /// The quantity of a force that C means.
 pub(super) fn force_quantity(quantity: i32, detail: i32) -> Result<ForceQuantity> {
-    let place = index(detail, "detail")?;
+    let branch = || place(detail, "detail");
+    let node = || Kind::Node.index(detail, "detail");
     match quantity {
         PDN_FORCE_EFFORT if detail != 0 => Err(Error::value("detail", "zero", detail)),
         PDN_FORCE_EFFORT => Ok(ForceQuantity::Effort),
-        PDN_FORCE_BRANCH_EFFORT => Ok(ForceQuantity::BranchEffort(place)),
-        PDN_FORCE_BRANCH_ELONGATION => Ok(ForceQuantity::BranchElongation(place)),
-        PDN_FORCE_ON_NODE => Ok(ForceQuantity::OnNode(place, LoadFrame::Space)),
-        PDN_FORCE_ON_NODE_MATERIAL => Ok(ForceQuantity::OnNode(place, LoadFrame::Follower)),
+        PDN_FORCE_BRANCH_EFFORT => Ok(ForceQuantity::BranchEffort(branch()?)),
+        PDN_FORCE_BRANCH_ELONGATION => Ok(ForceQuantity::BranchElongation(branch()?)),
+        PDN_FORCE_ON_NODE => Ok(ForceQuantity::OnNode(node()?, LoadFrame::Space)),
+        PDN_FORCE_ON_NODE_MATERIAL => Ok(ForceQuantity::OnNode(node()?, LoadFrame::Follower)),
         _ => {
             let expected = "PDN_FORCE_EFFORT to PDN_FORCE_ON_NODE_MATERIAL";
             Err(Error::value("quantity", expected, quantity))
@@ -96,7 +103,7 @@ pub unsafe extern "C" fn pdn_solution_force_branch_effort(
     count: usize,
     out: *mut f64,
 ) -> pdn_status {
-    let quantity = || Ok(ForceQuantity::BranchEffort(index(branch, "branch")?));
+    let quantity = || Ok(ForceQuantity::BranchEffort(place(branch, "branch")?));
     let to = Samples::new(solution, times, count, out);
     force_at(to, force, quantity)
 }
@@ -126,7 +133,7 @@ pub unsafe extern "C" fn pdn_solution_force_branch_elongation(
     count: usize,
     out: *mut f64,
 ) -> pdn_status {
-    let quantity = || Ok(ForceQuantity::BranchElongation(index(branch, "branch")?));
+    let quantity = || Ok(ForceQuantity::BranchElongation(place(branch, "branch")?));
     let to = Samples::new(solution, times, count, out);
     force_at(to, force, quantity)
 }
@@ -160,7 +167,7 @@ pub unsafe extern "C" fn pdn_solution_force_on_node(
     out: *mut f64,
 ) -> pdn_status {
     let quantity = || {
-        let node = index(node, "node")?;
+        let node = Kind::Node.index(node, "node")?;
         Ok(ForceQuantity::OnNode(node, load_frame(frame)?))
     };
     let to = Samples::new(solution, times, count, out);
@@ -203,6 +210,9 @@ pub unsafe extern "C" fn pdn_solution_force_harmonics(
     let to = SeriesOut::new(harmonics, mean, rate, [cosines, sines]);
     harmonics_of(solution, &to, |_| {
         let quantity = force_quantity(quantity, detail)?;
-        Ok(Quantity::Force(index(force, "force")?, quantity))
+        Ok(Quantity::Force(
+            Kind::Force.index(force, "force")?,
+            quantity,
+        ))
     })
 }

@@ -3,7 +3,8 @@
 use super::call::Call;
 use super::guard::guard;
 use super::handle::Exclusive;
-use super::model::{body, choose, motion, next_id, pdn_frame, pdn_model, vector};
+use super::id::Kind;
+use super::model::{body, choose, motion, pdn_frame, pdn_model, vector};
 use super::signal::{self, pdn_signal};
 use super::status::pdn_status;
 use crate::elements::{Coordinate, JointKind};
@@ -130,7 +131,7 @@ fn add_joint(
         let second = body(&model, bodies.second, "second")?;
         let (kind, first_frame, second_frame) = frames(call)?;
         let joint = call.out(joint, "joint")?;
-        let id = next_id(model.joint_count(), 1, "joint")?;
+        let id = Kind::Joint.next(model.joint_count(), 1, "joint")?;
         model.add_joint(kind, first, second, &first_frame, &second_frame)?;
         joint.set(id);
         Ok(())
@@ -512,7 +513,7 @@ pub unsafe extern "C" fn pdn_model_add_strut(
         let first_point = vector(call, first_point, "first_point")?;
         let second_point = vector(call, second_point, "second_point")?;
         let joint = call.out(joint, "joint")?;
-        let id = next_id(model.joint_count(), 1, "joint")?;
+        let id = Kind::Joint.next(model.joint_count(), 1, "joint")?;
         model.add_strut(first, second, &first_point, &second_point)?;
         joint.set(id);
         Ok(())

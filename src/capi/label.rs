@@ -1,8 +1,9 @@
 //! Labels of nodes, joints, elements, forces and relations.
 
 use super::guard::{guard, guard_or};
+use super::id::Kind;
 use super::last_error::copy_message;
-use super::model::{choose, index, pdn_model};
+use super::model::{choose, pdn_model};
 use super::status::pdn_status;
 use crate::error::{Error, ErrorKind, Result};
 use crate::model::{Model, ObjectKind};
@@ -26,14 +27,20 @@ pub const PDN_LABEL_LENGTH: i32 = 200;
 
 const _: () = assert!(PDN_LABEL_LENGTH as usize == crate::model::LONGEST_LABEL);
 
-fn object_kind(given: i32) -> Result<ObjectKind> {
+fn object_kind(given: i32) -> Result<(ObjectKind, Kind)> {
     let table = [
-        (PDN_OBJECT_NODE, ObjectKind::Node),
-        (PDN_OBJECT_JOINT, ObjectKind::Joint),
-        (PDN_OBJECT_BEAM_ELEMENT, ObjectKind::BeamElement),
-        (PDN_OBJECT_SHELL_ELEMENT, ObjectKind::ShellElement),
-        (PDN_OBJECT_FORCE, ObjectKind::Force),
-        (PDN_OBJECT_RELATION, ObjectKind::Relation),
+        (PDN_OBJECT_NODE, (ObjectKind::Node, Kind::Node)),
+        (PDN_OBJECT_JOINT, (ObjectKind::Joint, Kind::Joint)),
+        (
+            PDN_OBJECT_BEAM_ELEMENT,
+            (ObjectKind::BeamElement, Kind::BeamElement),
+        ),
+        (
+            PDN_OBJECT_SHELL_ELEMENT,
+            (ObjectKind::ShellElement, Kind::ShellElement),
+        ),
+        (PDN_OBJECT_FORCE, (ObjectKind::Force, Kind::Force)),
+        (PDN_OBJECT_RELATION, (ObjectKind::Relation, Kind::Relation)),
     ];
     choose(
         &table,
@@ -45,14 +52,15 @@ fn object_kind(given: i32) -> Result<ObjectKind> {
 
 /// What a kind and an id name.
 fn object(model: &Model, kind: i32, id: i32) -> Result<(ObjectKind, usize)> {
-    let kind = object_kind(kind)?;
-    let count = model.object_count(kind);
-    Ok((kind, index(id, count, "id", &format!("a {kind} id"))?))
+    let (object, kind) = object_kind(kind)?;
+    let count = model.object_count(object);
+    let index = kind.index_below(id, count, "id", &kind.expected())?;
+    Ok((object, index))
 }
 
 /// Gives a node, joint, element, force or relation a label, in place of the one that it has.
 ///
-/// Messages and reports name it after the id, as in: joint 3 "crank pin". Labels are saved and
+/// Messages and reports name it after its number, as in: joint 3 "crank pin". Labels are saved and
 /// copied with the model, and solutions keep those that it has when it is solved.
 ///
 /// @param model  the model; not NULL
@@ -131,15 +139,14 @@ pub unsafe extern "C" fn pdn_model_find_label(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let kind = object_kind(kind)?;
+        let (object, kind) = object_kind(kind)?;
         let label = call.text(label, "label")?;
         let id = call.out(id, "id")?;
-        let found = model.find_label(kind, label).ok_or_else(|| {
-            let message = format!("label: no {kind} has the label \"{label}\"");
+        let found = model.find_label(object, label).ok_or_else(|| {
+            let message = format!("label: no {object} has the label \"{label}\"");
             Error::new(ErrorKind::NotAvailable, message)
         })?;
-        // Ids fit: no more were made than they can name.
-        id.set(found as i32);
+        id.set(kind.id(found));
         Ok(())
     })
 }

@@ -217,9 +217,7 @@ pub unsafe extern "C" fn pdn_model_add_distributed_load(
 ) -> pdn_status {
     guard(|call| {
         let mut model = call.exclusive(model, "model")?;
-        let there = model.beam_element_count();
-        let first_element =
-            model::index(first_element, there, "first_element", "a beam element id")?;
+        let first_element = model::beam_element(&model, first_element, "first_element")?;
         let elements = usize::try_from(elements)
             .map_err(|_| Error::size("elements", "at least 1", elements))?;
         let frame = load_frame(frame)?;
@@ -283,9 +281,7 @@ pub unsafe extern "C" fn pdn_model_add_load_at_places(
     guard(|call| {
         const MOST: usize = 100_000;
         let mut model = call.exclusive(model, "model")?;
-        let there = model.beam_element_count();
-        let first_element =
-            model::index(first_element, there, "first_element", "a beam element id")?;
+        let first_element = model::beam_element(&model, first_element, "first_element")?;
         let elements = usize::try_from(elements)
             .map_err(|_| Error::size("elements", "at least 1", elements))?;
         let frame = beam_load_frame(call, frame, axis_2)?;

@@ -83,6 +83,7 @@ pub mod filter;
 pub mod force;
 pub mod force_solution;
 pub mod guard;
+pub mod id;
 pub mod joint;
 pub mod label;
 pub mod last_error;

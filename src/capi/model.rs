@@ -3,6 +3,7 @@
 use super::call::Call;
 use super::guard::{free, guard};
 use super::handle::Handle;
+use super::id::Kind;
 use super::status::pdn_status;
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::model::{Labels, Model};
@@ -46,19 +47,9 @@ pub struct pdn_frame {
 
 const _: () = assert!(size_of::<pdn_frame>() == 96);
 
-/// The id that the next of `count` things gets; `more` of them are to be made.
-pub(super) fn next_id(count: usize, more: usize, name: &str) -> Result<i32> {
-    let total = count.saturating_add(more);
-    if i32::try_from(total).is_err() {
-        let expected = format!("at most {} in a model", i32::MAX);
-        return Err(Error::size(name, expected, total));
-    }
-    Ok(count as i32)
-}
-
 /// The node that an id names.
 pub(super) fn node(model: &Model, id: i32, name: &str) -> Result<usize> {
-    index(id, model.node_count(), name, "a node id")
+    Kind::Node.index_below(id, model.node_count(), name, "a node id")
 }
 
 /// The nodes that an array of ids names, which may be of length 0.
@@ -78,29 +69,43 @@ pub(super) fn body(model: &Model, id: i32, name: &str) -> Result<Option<usize>> 
     if id == PDN_GROUND {
         return Ok(None);
     }
-    index(id, model.node_count(), name, "PDN_GROUND or a node id").map(Some)
+    let expected = "PDN_GROUND or a node id";
+    let node = Kind::Node.index_below(id, model.node_count(), name, expected)?;
+    Ok(Some(node))
 }
 
 /// The joint that an id names.
 pub(super) fn joint(model: &Model, id: i32, name: &str) -> Result<usize> {
-    index(id, model.joint_count(), name, "a joint id")
+    Kind::Joint.index_below(id, model.joint_count(), name, "a joint id")
 }
 
 /// The force that an id names.
 pub(super) fn force(model: &Model, id: i32, name: &str) -> Result<usize> {
-    index(id, model.force_count(), name, "a force id")
+    Kind::Force.index_below(id, model.force_count(), name, "a force id")
 }
 
-/// The index of thing `id` of `count`.
-pub(super) fn index(id: i32, count: usize, name: &str, what: &str) -> Result<usize> {
-    match usize::try_from(id) {
+/// The beam element that an id names.
+pub(super) fn beam_element(model: &Model, id: i32, name: &str) -> Result<usize> {
+    let count = model.beam_element_count();
+    Kind::BeamElement.index_below(id, count, name, "a beam element id")
+}
+
+/// The shell element that an id names.
+pub(super) fn shell_element(model: &Model, id: i32, name: &str) -> Result<usize> {
+    let count = model.shell_element_count();
+    Kind::ShellElement.index_below(id, count, name, "a shell element id")
+}
+
+/// Number `given` of `count` things that have no ids.
+pub(super) fn number(given: i32, count: usize, name: &str, what: &str) -> Result<usize> {
+    match usize::try_from(given) {
         Ok(index) if index < count => Ok(index),
         _ => {
             let limit = match count {
                 0 => "though there is none yet".to_owned(),
                 n => format!("from 0 to {}", n - 1),
             };
-            let message = format!("{name}: expected {what} {limit}, got {id}");
+            let message = format!("{name}: expected {what} {limit}, got {given}");
             Err(Error::new(ErrorKind::Identifier, message))
         }
     }
@@ -183,7 +188,7 @@ pub(super) fn count(
     })
 }
 
-/// Number of nodes; their ids are 0 ... count - 1.
+/// Number of nodes; their ids follow each other from PDN_FIRST_NODE on.
 ///
 /// @param model  the model; not NULL
 /// @param count  the number; written on success only
@@ -199,7 +204,7 @@ pub unsafe extern "C" fn pdn_model_node_count(
     self::count(model, count, Model::node_count)
 }
 
-/// Number of joints; their ids are 0 ... count - 1.
+/// Number of joints; their ids follow each other from PDN_FIRST_JOINT on.
 ///
 /// @param model  the model; not NULL
 /// @param count  the number; written on success only
@@ -215,7 +220,7 @@ pub unsafe extern "C" fn pdn_model_joint_count(
     self::count(model, count, Model::joint_count)
 }
 
-/// Number of beam elements; their ids are 0 ... count - 1.
+/// Number of beam elements; their ids follow each other from PDN_FIRST_BEAM_ELEMENT on.
 ///
 /// @param model  the model; not NULL
 /// @param count  the number; written on success only
@@ -318,7 +323,7 @@ pub unsafe extern "C" fn pdn_model_add_node(
             .array_optional::<9>(rotation, "rotation")?
             .map_or_else(Matrix3::identity, |r| Matrix3::from_column_slice(&r));
         let node = call.out(node, "node")?;
-        let id = next_id(model.node_count(), 1, "node")?;
+        let id = Kind::Node.next(model.node_count(), 1, "node")?;
         model.add_node(&Motion::new(rotation, position))?;
         node.set(id);
         Ok(())
@@ -351,7 +356,7 @@ pub unsafe extern "C" fn pdn_model_add_rigid_body(
         let centre = vector(call, centre, "centre")?;
         let inertia = Matrix3::from_column_slice(&call.array::<9>(inertia, "inertia")?);
         let node = call.out(node, "node")?;
-        let id = next_id(model.node_count(), 1, "node")?;
+        let id = Kind::Node.next(model.node_count(), 1, "node")?;
         model.add_rigid_body(mass, &centre, &inertia)?;
         node.set(id);
         Ok(())

@@ -2,8 +2,9 @@
 
 use super::guard::{free, guard, guard_or, init};
 use super::handle::Handle;
+use super::id::Kind;
 use super::last_error::copy_message;
-use super::model::{index, pdn_model};
+use super::model::{number, pdn_model};
 use super::options::Options;
 use super::solution::{outcome_code, pdn_solution};
 use super::statics::{pdn_static_options, read_static_options};
@@ -301,7 +302,7 @@ pub unsafe extern "C" fn pdn_modes_shape(
         let mut im = memory::room("the shape", length)?;
         let total = modes.mode(mode)?.shape.len();
         for (k, &node) in nodes.iter().enumerate() {
-            let node = index(node, total, &format!("nodes[{k}]"), "a node id")?;
+            let node = Kind::Node.index_below(node, total, &format!("nodes[{k}]"), "a node id")?;
             let shape = modes.shape(mode, node)?;
             re.extend(shape.map(|x| x.re));
             im.extend(shape.map(|x| x.im));
@@ -370,5 +371,5 @@ pub unsafe extern "C" fn pdn_modes_equilibrium(
 }
 
 fn mode_index(modes: &Modes, mode: i32) -> Result<usize> {
-    index(mode, modes.modes().len(), "mode", "a mode's number")
+    number(mode, modes.modes().len(), "mode", "a mode's number")
 }

@@ -1,8 +1,9 @@
 //! Parameters of a model.
 
 use super::guard::guard;
+use super::id::Kind;
 use super::load::component_place;
-use super::model::{choose, index, next_id, pdn_model};
+use super::model::{choose, pdn_model};
 use super::solution::pdn_solution;
 use super::status::pdn_status;
 use crate::error::{Error, Result};
@@ -99,7 +100,7 @@ pub unsafe extern "C" fn pdn_model_add_parameter(
         let mut model = call.exclusive(model, "model")?;
         let name = call.text(name, "name")?;
         let out = call.out(out, "out")?;
-        let id = next_id(model.parameters().len(), 1, "parameters")?;
+        let id = Kind::Parameter.next(model.parameters().len(), 1, "parameters")?;
         model.add_parameter(name, value, scale)?;
         out.set(id);
         Ok(())
@@ -108,7 +109,7 @@ pub unsafe extern "C" fn pdn_model_add_parameter(
 
 /// The parameter of an id.
 pub(super) fn parameter(model: &Model, id: i32, name: &str) -> Result<usize> {
-    index(id, model.parameters().len(), name, "a parameter id")
+    Kind::Parameter.index_below(id, model.parameters().len(), name, "a parameter id")
 }
 
 /// A number of an argument that counts something.
@@ -122,8 +123,9 @@ fn count(value: i32, name: &str) -> Result<usize> {
 /// @param model  the model; not NULL
 /// @param parameter  id of the parameter
 /// @param number  PDN_NUMBER_STIFFNESS, ...
-/// @param index  of the force, the body, the beam or the shell element; 0 for
-///     PDN_NUMBER_MASS_DAMPING and PDN_NUMBER_FRAME_RATE
+/// @param index  id of the force, the beam element or the shell element; which of the bodies with
+///     inertia, from 0 in the order of ::pdn_model_inertia; 0 for PDN_NUMBER_MASS_DAMPING and
+///     PDN_NUMBER_FRAME_RATE
 /// @param power  power, from 1, of a stiffness or damping; 0 for all else
 /// @param factor  the number for a unit of the parameter, not zero
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID (no such parameter or number),
@@ -143,42 +145,53 @@ pub unsafe extern "C" fn pdn_model_move_number(
     guard(|call| {
         let mut model = call.exclusive(model, "model")?;
         let id = self::parameter(&model, parameter, "parameter")?;
-        let (at, power) = (count(index, "index")?, count(power, "power")?);
-        let target = match number {
-            PDN_NUMBER_STIFFNESS => Target::Stiffness(at, power),
-            PDN_NUMBER_DAMPING => Target::Damping(at, power),
-            PDN_NUMBER_REST => Target::Rest(at),
-            PDN_NUMBER_INERTIA => Target::Inertia(at),
-            PDN_NUMBER_BEAM_STIFFNESS => Target::BeamStiffness(at),
-            PDN_NUMBER_BEAM_MASS => Target::BeamMass(at),
-            PDN_NUMBER_BEAM_DAMPING => Target::BeamDamping(at),
-            PDN_NUMBER_MASS_DAMPING => Target::MassDamping,
-            PDN_NUMBER_SHELL_STIFFNESS => Target::ShellStiffness(at),
-            PDN_NUMBER_SHELL_MASS => Target::ShellMass(at),
-            PDN_NUMBER_SHELL_DAMPING => Target::ShellDamping(at),
-            PDN_NUMBER_SHELL_THICKNESS => Target::ShellThickness(at),
-            PDN_NUMBER_FRAME_RATE => Target::FrameRate,
-            other => return Err(Error::value("number", "a constant PDN_NUMBER_...", other)),
-        };
+        let power = count(power, "power")?;
+        let target = target(number, index, power)?;
         model.move_by_parameter(id, target, factor)
+    })
+}
+
+/// The number that arguments name.
+fn target(number: i32, index: i32, power: usize) -> Result<Target> {
+    let of = |kind: Kind| kind.index(index, "index");
+    let of_all = |target| match index {
+        0 => Ok(target),
+        _ => Err(Error::value("index", "0 for this number", index)),
+    };
+    let (force, beam, shell) = (Kind::Force, Kind::BeamElement, Kind::ShellElement);
+    Ok(match number {
+        PDN_NUMBER_STIFFNESS => Target::Stiffness(of(force)?, power),
+        PDN_NUMBER_DAMPING => Target::Damping(of(force)?, power),
+        PDN_NUMBER_REST => Target::Rest(of(force)?),
+        PDN_NUMBER_INERTIA => Target::Inertia(count(index, "index")?),
+        PDN_NUMBER_BEAM_STIFFNESS => Target::BeamStiffness(of(beam)?),
+        PDN_NUMBER_BEAM_MASS => Target::BeamMass(of(beam)?),
+        PDN_NUMBER_BEAM_DAMPING => Target::BeamDamping(of(beam)?),
+        PDN_NUMBER_MASS_DAMPING => of_all(Target::MassDamping)?,
+        PDN_NUMBER_SHELL_STIFFNESS => Target::ShellStiffness(of(shell)?),
+        PDN_NUMBER_SHELL_MASS => Target::ShellMass(of(shell)?),
+        PDN_NUMBER_SHELL_DAMPING => Target::ShellDamping(of(shell)?),
+        PDN_NUMBER_SHELL_THICKNESS => Target::ShellThickness(of(shell)?),
+        PDN_NUMBER_FRAME_RATE => of_all(Target::FrameRate)?,
+        other => return Err(Error::value("number", "a constant PDN_NUMBER_...", other)),
     })
 }
 
 /// The signal that arguments name.
 pub(super) fn signal_place(place: i32, index: i32, component: i32) -> Result<SignalPlace> {
-    let at = count(index, "index")?;
+    let at = || count(index, "index");
     let of_load = || {
         let expected = "PDN_FORCE_1 to PDN_FORCE_3 or PDN_MOMENT_1 to PDN_MOMENT_3";
         component_place(component).ok_or_else(|| Error::value("component", expected, component))
     };
     Ok(match place {
-        PDN_SIGNAL_OF_ACTUATOR => SignalPlace::Actuator(at),
-        PDN_SIGNAL_OF_PRESCRIBED => SignalPlace::Prescribed(at),
-        PDN_SIGNAL_OF_LOAD => SignalPlace::Load(at, of_load()?),
-        PDN_SIGNAL_OF_BEAM_LOAD => SignalPlace::DistributedLoad(at, of_load()?),
+        PDN_SIGNAL_OF_ACTUATOR => SignalPlace::Actuator(Kind::Force.index(index, "index")?),
+        PDN_SIGNAL_OF_PRESCRIBED => SignalPlace::Prescribed(at()?),
+        PDN_SIGNAL_OF_LOAD => SignalPlace::Load(at()?, of_load()?),
+        PDN_SIGNAL_OF_BEAM_LOAD => SignalPlace::DistributedLoad(at()?, of_load()?),
         PDN_SIGNAL_OF_GRAVITY => SignalPlace::Gravity(count(component, "component")?),
-        PDN_SIGNAL_OF_RELATION => SignalPlace::Relation(at),
-        PDN_SIGNAL_OF_SHELL_LOAD => SignalPlace::ShellLoad(at, of_load()?),
+        PDN_SIGNAL_OF_RELATION => SignalPlace::Relation(Kind::Relation.index(index, "index")?),
+        PDN_SIGNAL_OF_SHELL_LOAD => SignalPlace::ShellLoad(at()?, of_load()?),
         other => return Err(Error::value("place", "a constant PDN_SIGNAL_OF_...", other)),
     })
 }
@@ -189,7 +202,8 @@ pub(super) fn signal_place(place: i32, index: i32, component: i32) -> Result<Sig
 /// @param model  the model; not NULL
 /// @param parameter  id of the parameter
 /// @param place  what has the signal: PDN_SIGNAL_OF_ACTUATOR, ...
-/// @param index  which of them
+/// @param index  id of the actuator or the relation; of prescribed coordinates and loads which of
+///     them, from 0 in the order in which they were added; 0 for gravity
 /// @param component  of a load PDN_FORCE_1, ... or PDN_MOMENT_3, of gravity from 0 to 2; 0 for all
 ///     else
 /// @param part  PDN_PART_MEAN, PDN_PART_RATE, PDN_PART_AMPLITUDE or PDN_PART_PHASE

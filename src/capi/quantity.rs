@@ -2,12 +2,13 @@
 
 use super::call::Call;
 use super::guard::{guard, init};
+use super::id::Kind;
 use super::joint::coordinate;
 use super::load::{PDN_FRAME_SPACE, load_frame};
 use super::options::Options;
 use super::pointer::check_pointer;
 use super::solution::{
-    Samples, SeriesOut, beam_at, harmonics_of, in_frame, index, pdn_solution, reaction,
+    Samples, SeriesOut, beam_at, harmonics_of, in_frame, pdn_solution, place, reaction,
 };
 use super::status::pdn_status;
 use super::table::{add, pdn_table};
@@ -146,13 +147,13 @@ pub unsafe extern "C" fn pdn_quantity_init(quantity: *mut pdn_quantity, struct_s
 impl pdn_quantity {
     /// What C means.
     fn meant(&self) -> Result<Selection> {
-        let object = || index(self.object, "quantity.object");
-        let of_node = |quantity| Ok(Quantity::Node(object()?, quantity));
+        let object = |kind: Kind| kind.index(self.object, "quantity.object");
+        let of_node = |quantity| Ok(Quantity::Node(object(Kind::Node)?, quantity));
         let in_frame = |space, material| of_node(in_frame(self.frame, space, material)?);
-        let of_joint = |quantity| Ok(Quantity::Joint(object()?, quantity));
-        let of_beam = |quantity| beam_at(self.object, self.station, quantity);
-        let of_force = |quantity| Ok(Quantity::Force(object()?, quantity));
-        let branch = || index(self.branch, "quantity.branch");
+        let of_joint = |quantity| Ok(Quantity::Joint(object(Kind::Joint)?, quantity));
+        let of_beam = |quantity| beam_at((self.object, "quantity.object"), self.station, quantity);
+        let of_force = |quantity| Ok(Quantity::Force(object(Kind::Force)?, quantity));
+        let branch = || place(self.branch, "quantity.branch");
         let quantity: Result<Quantity> = match self.kind {
             PDN_QUANTITY_POSITION => of_node(NodeQuantity::Position),
             PDN_QUANTITY_ROTATION => of_node(NodeQuantity::RotationMatrix),
@@ -182,13 +183,13 @@ impl pdn_quantity {
             PDN_QUANTITY_CONTROL_EFFORT => of_force(ForceQuantity::ControlEffort(branch()?)),
             PDN_QUANTITY_CONTROL_STATE => of_force(ForceQuantity::ControlState(branch()?)),
             PDN_QUANTITY_FORCE_ON_NODE => {
-                let node = index(self.node, "quantity.node")?;
+                let node = Kind::Node.index(self.node, "quantity.node")?;
                 of_force(ForceQuantity::OnNode(node, load_frame(self.frame)?))
             }
             PDN_QUANTITY_RELATION_EFFORT => {
                 let quantity = Quantity::RelationEffort {
-                    relation: object()?,
-                    coordinate: index(self.component, "quantity.component")?,
+                    relation: object(Kind::Relation)?,
+                    coordinate: place(self.component, "quantity.component")?,
                 };
                 return Ok(quantity.into());
             }
@@ -198,7 +199,7 @@ impl pdn_quantity {
         let quantity = quantity?;
         let component = match self.component {
             PDN_ALL_COMPONENTS => None,
-            component => Some(index(component, "quantity.component")?),
+            component => Some(place(component, "quantity.component")?),
         };
         if let Some(component) = component {
             let checked = quantity.require_component(component);
@@ -222,7 +223,7 @@ impl pdn_quantity {
         require_finite("quantity.direction", &self.direction)?;
         let direction = Vector3::from(self.direction);
         Ok(Quantity::Shell {
-            element: index(self.object, "quantity.object")?,
+            element: Kind::ShellElement.index(self.object, "quantity.object")?,
             point: ShellPoint {
                 at,
                 axis: (direction != Vector3::zeros()).then_some(direction),

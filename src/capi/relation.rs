@@ -2,14 +2,16 @@
 
 use super::call::Call;
 use super::guard::guard;
+use super::id::Kind;
 use super::joint::coordinate;
-use super::model::{self, next_id, pdn_model};
+use super::model::{self, pdn_model};
 use super::signal::{self, pdn_signal};
 use super::status::pdn_status;
 use crate::error::Result;
 use crate::model::{JointCoordinate, Model};
 
-/// Number of linear relations between joint coordinates; their ids are 0 ... count - 1.
+/// Number of linear relations between joint coordinates; their ids follow each other from
+/// PDN_FIRST_RELATION on.
 ///
 /// @param model  the model; not NULL
 /// @param count  the number; written on success only
@@ -90,7 +92,7 @@ pub unsafe extern "C" fn pdn_model_add_relation(
             false => Some(signal::read(call, signal, "signal")?),
         };
         let out = call.out_optional(relation, "relation")?;
-        let id = next_id(model.relation_count(), 1, "relation")?;
+        let id = Kind::Relation.next(model.relation_count(), 1, "relation")?;
         model.add_relation(&terms, signal.as_ref())?;
         if let Some(out) = out {
             out.set(id);

@@ -2,7 +2,8 @@
 
 use super::call::Call;
 use super::guard::guard;
-use super::model::{self, body, choose, next_id, pdn_model};
+use super::id::Kind;
+use super::model::{self, body, choose, pdn_model};
 use super::pointer::check_pointer;
 use super::shell::{
     PDN_SHELL_EDGE_END_ETA, PDN_SHELL_EDGE_END_XI, PDN_SHELL_EDGE_START_ETA,
@@ -25,10 +26,10 @@ fn add_rigid_joints(
         let nodes = nodes(call, &model)?;
         let first_joint = call.out(first_joint, "first_joint")?;
         let joints = call.out(joints, "joints")?;
-        next_id(model.joint_count(), nodes.len(), "joint")?;
+        Kind::Joint.next(model.joint_count(), nodes.len(), "joint")?;
         let made = model.add_rigid_joints(body, &nodes)?;
         // In range, as was checked.
-        first_joint.set(made.start as i32);
+        first_joint.set(Kind::Joint.id(made.start));
         joints.set(made.len() as i32);
         Ok(())
     })

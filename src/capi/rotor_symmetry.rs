@@ -1,7 +1,8 @@
 //! Rotors whose blades are alike.
 
 use super::guard::guard;
-use super::model::{self, index, pdn_model};
+use super::id::Kind;
+use super::model::{self, number, pdn_model};
 use super::status::pdn_status;
 use crate::error::{Error, ErrorKind};
 use nalgebra::Vector3;
@@ -139,11 +140,11 @@ pub unsafe extern "C" fn pdn_model_rotor_node(
             -1 => rotor.hub(),
             _ => {
                 let blades = rotor.blades();
-                &blades[self::index(blade, blades.len(), "blade", "a blade, or -1")?]
+                &blades[self::number(blade, blades.len(), "blade", "a blade, or -1")?]
             }
         };
-        let place = self::index(index, nodes.len(), "index", "one of its nodes")?;
-        call.out(node, "node")?.set(nodes[place] as i32);
+        let place = number(index, nodes.len(), "index", "one of its nodes")?;
+        call.out(node, "node")?.set(Kind::Node.id(nodes[place]));
         Ok(())
     })
 }

@@ -3,8 +3,9 @@
 use super::condition::{Conditions, feature, free_parameter, pdn_conditions};
 use super::guard::{free, guard, init};
 use super::handle::Handle;
+use super::id::Kind;
 use super::linear_solver::{PDN_LINEAR_AUTOMATIC, read_linear_solver};
-use super::model::{choose, index};
+use super::model::{self, choose};
 use super::options::Options;
 use super::parameter::PDN_FREQUENCY;
 use super::quantity::{pdn_quantity, selection};
@@ -209,11 +210,10 @@ pub unsafe extern "C" fn pdn_sensitivities_add_parameter(
 
 /// An id that may be that of a parameter.
 fn any_parameter(id: i32) -> Result<i32> {
-    if id >= 0 || id == PDN_FREQUENCY {
-        return Ok(id);
+    if id != PDN_FREQUENCY {
+        Kind::Parameter.index(id, "parameter")?;
     }
-    let message = format!("parameter: expected a parameter id or PDN_FREQUENCY, got {id}");
-    Err(Error::new(crate::error::ErrorKind::Identifier, message))
+    Ok(id)
 }
 
 /// Derivatives of what comes out of a periodic solution by parameters of its model.
@@ -358,7 +358,7 @@ pub unsafe extern "C" fn pdn_solution_multiplier_sensitivities(
         };
         let given = call.options(options, "options")?;
         let count = stability.multipliers.len();
-        let number = index(number, count, "number", "a multiplier's number")?;
+        let number = model::number(number, count, "number", "a multiplier's number")?;
         if parameters != lists.parameters.len() {
             return Err(Error::size(
                 "parameters",

@@ -2,8 +2,9 @@
 
 use super::call::Call;
 use super::guard::{guard, init};
+use super::id::Kind;
 use super::load::{components, load_frame};
-use super::model::{self, choose, index, next_id, pdn_model};
+use super::model::{self, choose, number, pdn_model, shell_element};
 use super::options::Options;
 use super::pointer::check_pointer;
 use super::section::{read_struct, update_struct};
@@ -323,7 +324,7 @@ pub unsafe extern "C" fn pdn_model_add_shell_element(
         let nodes = model::nodes(call, &model, (nodes, count), "nodes")?;
         let (section, placement) = read_shell(call, section, placement)?;
         let element = call.out(element, "element")?;
-        let id = next_id(model.shell_element_count(), 1, "element")?;
+        let id = Kind::ShellElement.next(model.shell_element_count(), 1, "element")?;
         model.add_shell_element(&nodes, sides, &section, &placement)?;
         element.set(id);
         Ok(())
@@ -481,7 +482,7 @@ pub unsafe extern "C" fn pdn_model_add_shell_quadrilaterals(
         let cells = call.slice(cells, count, "cells")?.iter().enumerate();
         let there = points.len();
         let cells = cells
-            .map(|(i, &k)| index(k, there, &format!("cells[{i}]"), "a number of a point"))
+            .map(|(i, &k)| number(k, there, &format!("cells[{i}]"), "a number of a point"))
             .collect::<Result<Vec<_>>>()?;
         let mesh = QuadrilateralMesh {
             points: &points,
@@ -493,8 +494,9 @@ pub unsafe extern "C" fn pdn_model_add_shell_quadrilaterals(
         let (section, placement) = read_shell(call, section, placement)?;
         let first_element = call.out(first_element, "first_element")?;
         let nodes = elements.saturating_mul((degree + 1) * (degree + 1));
-        next_id(model.node_count(), nodes, "cells")?;
-        let first = next_id(model.shell_element_count(), elements, "cells")?;
+        Kind::Node.next(model.node_count(), nodes, "cells")?;
+        let shells = model.shell_element_count();
+        let first = Kind::ShellElement.next(shells, elements, "cells")?;
         model.add_shell_quadrilaterals(&mesh, &section, &placement)?;
         first_element.set(first);
         Ok(())
@@ -533,13 +535,11 @@ fn read_points(
 fn new_shell(model: &Model, mesh: &ShellMesh) -> Result<pdn_shell> {
     let [nodes_u, nodes_v] = mesh.lines()?;
     let [elements_u, elements_v] = mesh.elements;
-    next_id(
-        model.node_count(),
-        nodes_u.saturating_mul(nodes_v),
-        "elements",
-    )?;
+    let nodes = nodes_u.saturating_mul(nodes_v);
+    Kind::Node.next(model.node_count(), nodes, "elements")?;
     let elements = elements_u.saturating_mul(elements_v);
-    let first_element = next_id(model.shell_element_count(), elements, "elements")?;
+    let there = model.shell_element_count();
+    let first_element = Kind::ShellElement.next(there, elements, "elements")?;
     // In range, as their products are.
     let [elements_u, elements_v, nodes_u, nodes_v] =
         [elements_u, elements_v, nodes_u, nodes_v].map(|n| n as i32);
@@ -578,8 +578,7 @@ pub unsafe extern "C" fn pdn_model_shell_patch_node(
         place(u, shell.nodes_u, "u")?;
         place(v, shell.nodes_v, "v")?;
         let out = call.out(node, "node")?;
-        // In range, as all ids of nodes.
-        out.set(patch_node(&model, &shell, [u, v])? as i32);
+        out.set(Kind::Node.id(patch_node(&model, &shell, [u, v])?));
         Ok(())
     })
 }
@@ -604,7 +603,8 @@ pub(super) fn patch_node(model: &Model, shell: &pdn_shell, [u, v]: [i32; 2]) -> 
     ];
     let last = [shell.elements_u, shell.elements_v].map(|n| n as usize - 1);
     let [i, j] = [0, 1].map(|d| ([u, v][d] / degrees[d].max(1)).min(last[d]));
-    let first = usize::try_from(shell.first_element).unwrap_or(usize::MAX);
+    let first = shell_element(model, shell.first_element, "first_element");
+    let first = first.map_err(|e| e.within("shell"))?;
     let element = first.saturating_add(i.saturating_mul(last[1] + 1).saturating_add(j));
     let [xi, eta] = [
         u.saturating_sub(i.saturating_mul(degrees[0])),
@@ -631,7 +631,7 @@ fn place(given: i32, count: i32, name: &str) -> Result<usize> {
     }
 }
 
-/// Number of shell elements; their ids are 0 ... count - 1.
+/// Number of shell elements; their ids follow each other from PDN_FIRST_SHELL_ELEMENT on.
 ///
 /// @param model  the model; not NULL
 /// @param count  the number; written on success only
@@ -668,14 +668,12 @@ pub unsafe extern "C" fn pdn_model_shell_node(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let there = model.shell_element_count();
-        let element = index(element, there, "element", "a shell element id")?;
+        let element = shell_element(&model, element, "element")?;
         let shell = &model.shells[element];
         let along = place(xi, shell.sides[0] as i32, "xi")?;
         let across = place(eta, shell.sides[1] as i32, "eta")?;
         let out = call.out(node, "node")?;
-        // In range, as all ids of nodes.
-        out.set(shell.nodes[along * shell.sides[1] + across] as i32);
+        out.set(Kind::Node.id(shell.nodes[along * shell.sides[1] + across]));
         Ok(())
     })
 }
@@ -731,8 +729,7 @@ pub unsafe extern "C" fn pdn_model_add_shell_load(
 ) -> pdn_status {
     guard(|call| {
         let mut model = call.exclusive(model, "model")?;
-        let there = model.shell_element_count();
-        let first_element = index(first_element, there, "first_element", "a shell element id")?;
+        let first_element = shell_element(&model, first_element, "first_element")?;
         let elements = usize::try_from(elements)
             .map_err(|_| Error::size("elements", "at least 1", elements))?;
         let place = load_place(place)?;
@@ -771,9 +768,8 @@ pub unsafe extern "C" fn pdn_model_set_shell_prestress(
 ) -> pdn_status {
     guard(|call| {
         let mut model = call.exclusive(model, "model")?;
-        let there = model.shell_element_count();
-        let first = index(first_element, there, "first_element", "a shell element id")?;
-        let most = there - first;
+        let first = shell_element(&model, first_element, "first_element")?;
+        let most = model.shell_element_count() - first;
         let count = usize::try_from(elements).unwrap_or(0);
         if !(1..=most).contains(&count) {
             let expected = format!("1 to {most} from element {first} on");

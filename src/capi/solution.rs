@@ -3,6 +3,7 @@
 use super::call::Call;
 use super::guard::{free, guard, guard_or, init};
 use super::handle::Handle;
+use super::id::Kind;
 use super::joint::coordinate;
 use super::last_error::copy_message;
 use super::linear_solver::linear_solver_code;
@@ -536,13 +537,11 @@ pub unsafe extern "C" fn pdn_solution_grid_times(
     })
 }
 
-/// An id of C as an index of the core.
-pub(super) fn index(id: i32, name: &str) -> Result<usize> {
-    usize::try_from(id).map_err(|_| {
-        Error::new(
-            ErrorKind::Identifier,
-            format!("{name}: expected an id of the model, got {id}"),
-        )
+/// A place in a list whose length the core knows.
+pub(super) fn place(given: i32, name: &str) -> Result<usize> {
+    usize::try_from(given).map_err(|_| {
+        let message = format!("{name}: expected a number from 0 on, got {given}");
+        Error::new(ErrorKind::Identifier, message)
     })
 }
 
@@ -592,7 +591,7 @@ impl Samples {
     }
 
     fn node(self, node: i32, quantity: Result<NodeQuantity>) -> pdn_status {
-        self.take(|_| Ok(Quantity::Node(index(node, "node")?, quantity?)))
+        self.take(|_| Ok(Quantity::Node(Kind::Node.index(node, "node")?, quantity?)))
     }
 
     fn joint(self, joint: i32, quantity: i32, detail: i32) -> pdn_status {
@@ -601,7 +600,7 @@ impl Samples {
             _ => "coordinate",
         };
         self.take(|_| {
-            let joint = index(joint, "joint")?;
+            let joint = Kind::Joint.index(joint, "joint")?;
             Ok(Quantity::Joint(
                 joint,
                 joint_quantity(quantity, detail, name)?,
@@ -610,14 +609,18 @@ impl Samples {
     }
 
     fn beam(self, element: i32, station: f64, quantity: BeamQuantity) -> pdn_status {
-        self.take(|_| beam_at(element, station, quantity))
+        self.take(|_| beam_at((element, "element"), station, quantity))
     }
 }
 
 /// A quantity at a station of a beam.
-pub(super) fn beam_at(element: i32, station: f64, quantity: BeamQuantity) -> Result<Quantity> {
+pub(super) fn beam_at(
+    (element, name): (i32, &str),
+    station: f64,
+    quantity: BeamQuantity,
+) -> Result<Quantity> {
     Ok(Quantity::Beam {
-        element: index(element, "element")?,
+        element: Kind::BeamElement.index(element, name)?,
         station,
         quantity,
     })
@@ -1070,7 +1073,7 @@ pub unsafe extern "C" fn pdn_solution_beam_force_between(
     guard(|call| {
         let solution = call.shared(solution, "solution")?;
         let times = call.numbers(times, count, "times")?;
-        let element = index(element, "element")?;
+        let element = Kind::BeamElement.index(element, "element")?;
         let mean = call.out_slice_optional(mean, 6 * times.len(), "mean")?;
         let jump = call.out_slice_optional(jump, 6 * times.len(), "jump")?;
         let of = |quantity| solution.beam(element, station, quantity, times);
@@ -1192,7 +1195,7 @@ pub unsafe extern "C" fn pdn_solution_node_harmonics(
     let to = SeriesOut::new(harmonics, mean, null_mut(), [cosines, sines]);
     harmonics_of(solution, &to, |_| {
         let quantity = node_quantity(quantity)?;
-        Ok(Quantity::Node(index(node, "node")?, quantity))
+        Ok(Quantity::Node(Kind::Node.index(node, "node")?, quantity))
     })
 }
 
@@ -1231,7 +1234,10 @@ pub unsafe extern "C" fn pdn_solution_joint_harmonics(
     let to = SeriesOut::new(harmonics, mean, rate, [cosines, sines]);
     harmonics_of(solution, &to, |_| {
         let quantity = joint_quantity(quantity, detail, "detail")?;
-        Ok(Quantity::Joint(index(joint, "joint")?, quantity))
+        Ok(Quantity::Joint(
+            Kind::Joint.index(joint, "joint")?,
+            quantity,
+        ))
     })
 }
 
@@ -1264,6 +1270,6 @@ pub unsafe extern "C" fn pdn_solution_beam_harmonics(
 ) -> pdn_status {
     let to = SeriesOut::new(harmonics, mean, null_mut(), [cosines, sines]);
     harmonics_of(solution, &to, |_| {
-        beam_at(element, station, beam_quantity(quantity)?)
+        beam_at((element, "element"), station, beam_quantity(quantity)?)
     })
 }

@@ -3,8 +3,9 @@
 use super::call::Call;
 use super::guard::{free, guard, guard_or, init};
 use super::handle::Handle;
+use super::id::Kind;
 use super::last_error::copy_message;
-use super::model::index;
+use super::model;
 use super::options::Options;
 use super::periodic::{PROGRESS_INTERVAL, pdn_progress_fn, watch};
 use super::solution::{outcome_code, pdn_solution};
@@ -282,7 +283,7 @@ pub unsafe extern "C" fn pdn_stability_get(
     guard(|call| {
         let stability = call.shared(stability, "stability")?;
         let count = stability.multipliers.len();
-        let number = index(number, count, "number", "a multiplier's number")?;
+        let number = model::number(number, count, "number", "a multiplier's number")?;
         let out = call.out_struct(out, "out")?;
         let multiplier = &stability.multipliers[number];
         out.set(pdn_multiplier {
@@ -357,8 +358,8 @@ pub unsafe extern "C" fn pdn_stability_shape(
     guard(|call| {
         let stability = call.shared(stability, "stability")?;
         let count = stability.multipliers.len();
-        let number = index(number, count, "number", "a multiplier's number")?;
-        let node = index(node, stability.nodes(), "node", "a node id")?;
+        let number = model::number(number, count, "number", "a multiplier's number")?;
+        let node = Kind::Node.index_below(node, stability.nodes(), "node", "a node id")?;
         let shape = stability.shape(number, node)?;
         if steps != shape.len() {
             return Err(crate::error::Error::size("steps", shape.len(), steps));

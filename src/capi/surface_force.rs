@@ -2,8 +2,9 @@
 
 use super::callback::Callback;
 use super::guard::guard;
+use super::id::Kind;
 use super::load::load_frame;
-use super::model::{index, next_id, pdn_model};
+use super::model::{pdn_model, shell_element};
 use super::shell::load_place;
 use super::status::pdn_status;
 use super::user_force::{gives_tangents, pdn_destroy_fn};
@@ -138,8 +139,7 @@ pub unsafe extern "C" fn pdn_model_add_surface_force(
 ) -> pdn_status {
     guard(|call| {
         let mut model = call.exclusive(model, "model")?;
-        let there = model.shell_element_count();
-        let first = index(first_element, there, "first_element", "a shell element id")?;
+        let first = shell_element(&model, first_element, "first_element")?;
         let elements = usize::try_from(elements)
             .map_err(|_| Error::size("elements", "at least 1", elements))?;
         let place = load_place(place)?;
@@ -149,7 +149,7 @@ pub unsafe extern "C" fn pdn_model_add_surface_force(
         model.require_shell_place((first, elements), place)?;
         let function = call.function(function, "function")?;
         let out = call.out_optional(first_force, "first_force")?;
-        let id = next_id(model.force_count(), elements, "force")?;
+        let id = Kind::Force.next(model.force_count(), elements, "force")?;
         let callback = Callback::<SurfaceFunction>::new(function, user_data, destroy);
         let law = SurfaceForceLaw {
             function: Arc::new(move |input, output| call_back(&callback, input, output)),
@@ -172,8 +172,7 @@ fn call_back(
     let state = pdn_surface_state {
         struct_size: size_of::<pdn_surface_state>(),
         time: input.time,
-        // In range, as it was given out.
-        element: input.element as i32,
+        element: Kind::ShellElement.id(input.element),
         reserved: 0,
         point_count: input.positions.len(),
         places: input.places.as_ptr().cast(),

@@ -4,7 +4,8 @@ use super::call::Call;
 use super::force_solution::force_quantity;
 use super::guard::{free, guard};
 use super::handle::Handle;
-use super::solution::{beam_at, beam_quantity, index, joint_quantity, node_quantity, pdn_solution};
+use super::id::Kind;
+use super::solution::{beam_at, beam_quantity, joint_quantity, node_quantity, pdn_solution};
 use super::status::pdn_status;
 use crate::error::Result;
 use crate::output::{Quantity, Selection, Table};
@@ -110,7 +111,7 @@ pub unsafe extern "C" fn pdn_table_add_node(
 ) -> pdn_status {
     add(table, solution, label, |_| {
         let quantity = node_quantity(quantity)?;
-        Ok(Quantity::Node(index(node, "node")?, quantity))
+        Ok(Quantity::Node(Kind::Node.index(node, "node")?, quantity))
     })
 }
 
@@ -141,7 +142,10 @@ pub unsafe extern "C" fn pdn_table_add_joint(
 ) -> pdn_status {
     add(table, solution, label, |_| {
         let quantity = joint_quantity(quantity, detail, "detail")?;
-        Ok(Quantity::Joint(index(joint, "joint")?, quantity))
+        Ok(Quantity::Joint(
+            Kind::Joint.index(joint, "joint")?,
+            quantity,
+        ))
     })
 }
 
@@ -172,7 +176,7 @@ pub unsafe extern "C" fn pdn_table_add_beam(
     label: *const c_char,
 ) -> pdn_status {
     add(table, solution, label, |_| {
-        beam_at(element, station, beam_quantity(quantity)?)
+        beam_at((element, "element"), station, beam_quantity(quantity)?)
     })
 }
 
@@ -202,7 +206,10 @@ pub unsafe extern "C" fn pdn_table_add_force(
 ) -> pdn_status {
     add(table, solution, label, |_| {
         let quantity = force_quantity(quantity, detail)?;
-        Ok(Quantity::Force(index(force, "force")?, quantity))
+        Ok(Quantity::Force(
+            Kind::Force.index(force, "force")?,
+            quantity,
+        ))
     })
 }
 

@@ -4,6 +4,7 @@ use super::call::Call;
 use super::callback::Callback;
 use super::force::add_force;
 use super::guard::{guard, init};
+use super::id::Kind;
 use super::joint::joint_coordinate;
 use super::load::{PDN_FORCE_1, load_frame};
 use super::model::{self, pdn_model};
@@ -427,8 +428,8 @@ pub unsafe extern "C" fn pdn_model_check_tangents(
             given,
             differenced,
         } = check_tangents(&model, force, period)?;
-        // Ids are in range, as they were given out.
-        let place = |at: Option<(usize, usize)>| at.map_or((-1, 0), |(n, i)| (n as i32, i as i32));
+        let place =
+            |at: Option<(usize, usize)>| at.map_or((-1, 0), |(n, i)| (Kind::Node.id(n), i as i32));
         let ((row_node, _), (column_node, column_component)) = (place(row), place(column));
         out.set(pdn_tangent_check {
             error,

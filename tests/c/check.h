@@ -44,4 +44,18 @@ static inline void check_message(const char *text, const char *file, int line)
     }
 }
 
+/* Ids of the things of a kind, from 0 in the order in which they were added. */
+#define NODE(number) (PDN_FIRST_NODE + (number))
+#define JOINT(number) (PDN_FIRST_JOINT + (number))
+#define BEAM_ELEMENT(number) (PDN_FIRST_BEAM_ELEMENT + (number))
+#define SHELL_ELEMENT(number) (PDN_FIRST_SHELL_ELEMENT + (number))
+#define FORCE(number) (PDN_FIRST_FORCE + (number))
+#define RELATION(number) (PDN_FIRST_RELATION + (number))
+#define PARAMETER(number) (PDN_FIRST_PARAMETER + (number))
+
+/* What names nothing in a small model, whatever is asked for. */
+#define NO_IDS                                                                                     \
+    -2, 0, 99, NODE(99), JOINT(99), BEAM_ELEMENT(99), SHELL_ELEMENT(99), FORCE(99), RELATION(99),  \
+        PARAMETER(99), INT32_MAX, INT32_MIN
+
 #endif

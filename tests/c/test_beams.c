@@ -77,8 +77,8 @@ static pdn_solution *solve(const pdn_model *model, size_t grid_points)
 /* Force and moment of a joint at time zero. */
 static void reaction(const pdn_solution *solution, int32_t joint, double time, double *wrench)
 {
-    CHECK_STATUS(
-        pdn_solution_joint_reaction(solution, joint, PDN_FRAME_SPACE, &time, 1, wrench), PDN_OK);
+    CHECK_STATUS(pdn_solution_joint_reaction(solution, joint, PDN_FRAME_SPACE, &time, 1, wrench),
+                 PDN_OK);
 }
 
 /* Sections at stations, with a jump and a twist: mass, axes of the nodes, and the mesh. */
@@ -102,13 +102,15 @@ static void sections_and_twist_vary(void)
     stations.fractions = fractions;
     stations.sections = sections;
     CHECK_STATUS(pdn_model_add_beam(model, &line, &stations, 2, 3, &beam), PDN_OK);
-    CHECK(beam.first == 0 && beam.last == 6 && beam.first_element == 0 && beam.elements == 2);
+    CHECK(beam.first == NODE(0) && beam.last == NODE(6) && beam.first_element == BEAM_ELEMENT(0) &&
+          beam.elements == 2);
     CHECK_STATUS(pdn_model_mass(model, &mass, NULL), PDN_OK);
     NEAR(mass, 1.5 * 3 + 1.5 * 0.75, 1e-13);
 
     stations.twists = twists;
     CHECK_STATUS(pdn_model_add_beam(model, &line, &stations, 4, 2, &beam), PDN_OK);
-    CHECK(beam.first == 7 && beam.last == 15 && beam.first_element == 2 && beam.elements == 4);
+    CHECK(beam.first == NODE(7) && beam.last == NODE(15) && beam.first_element == BEAM_ELEMENT(2) &&
+          beam.elements == 4);
     for (node = 0; node <= 8; node++) {
         const double fraction = node / 8.0;
         CHECK_STATUS(pdn_model_node_frame(model, beam.first + node, &frame), PDN_OK);
@@ -131,7 +133,7 @@ static void sections_and_twist_vary(void)
     CHECK(memcmp(&before, &beam, sizeof beam) == 0);
     CHECK_STATUS(pdn_model_add_beam_between(model, &line, &stations, boundaries, 4, 2, &beam),
                  PDN_OK);
-    CHECK(beam.first == 16 && beam.last == 24 && beam.elements == 4);
+    CHECK(beam.first == NODE(16) && beam.last == NODE(24) && beam.elements == 4);
     for (node = 0; node <= 4; node++) {
         CHECK_STATUS(pdn_model_node_frame(model, beam.first + 2 * node, &frame), PDN_OK);
         NEAR(frame.position[1], 3 * boundaries[node], 1e-14);

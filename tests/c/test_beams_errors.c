@@ -73,15 +73,14 @@ static int model_changed(void)
 #define REFUSES_NULL(call, name) REFUSED(call, PDN_ERR_NULL, name ": expected a pointer, got NULL")
 
 static const size_t bad_struct_sizes[] = {0, 7, 8, 5000, (size_t)-1};
-static const int32_t bad_ids[] = {-1, -2, 99, INT32_MAX, INT32_MIN};
+static const int32_t bad_ids[] = {-1, NO_IDS};
 
 #define REFUSES_STRUCT_SIZES(variable, call, name)                                                 \
     REFUSES_EACH(variable.struct_size, size_t, bad_struct_sizes, call, PDN_ERR_STRUCT_SIZE,        \
                  name ": expected struct_size ")
 #define REFUSES_ENUMS(variable, call, name)                                                        \
     do {                                                                                           \
-        REFUSES_EACH(variable, int32_t, bad_enums, call, PDN_ERR_VALUE,                            \
-                     name ": expected ");                                                          \
+        REFUSES_EACH(variable, int32_t, bad_enums, call, PDN_ERR_VALUE, name ": expected ");       \
         REFUSES_OTHER_ROLES(variable, call, name ": expected ");                                   \
     } while (0)
 
@@ -115,6 +114,7 @@ static void set_up(void)
     in.elements = 2;
     in.degree = 3;
     in.count = 4;
+    in.first_element = BEAM_ELEMENT(0);
     in.loaded = 2;
     in.frame = PDN_FRAME_SPACE;
     in.component = PDN_FORCE_1;
@@ -283,10 +283,16 @@ static void elements_that_overlap(void)
         size_t count;
         const char *message;
     } overlaps[] = {
-        {{1, 2, 0}, 2, "node 1, inside beam element 0: elements 0 and 2 would overlap"},
-        {{0, 3, 0}, 2, "node 0, where beam element 0 starts, with the same end: elements 0 and 2"},
-        {{0, 3, 6}, 3, "node 3, an end of beam element 0: elements 0 and 2 would overlap"},
-        {{0, 6, 0}, 2, "node 0, which beam element 0 leaves in the same direction: elements 0 and"},
+        {{NODE(1), NODE(2)}, 2, "node 1, inside beam element 0: elements 0 and 2 would overlap"},
+        {{NODE(0), NODE(3)},
+         2,
+         "node 0, where beam element 0 starts, with the same end: elements 0 and 2"},
+        {{NODE(0), NODE(3), NODE(6)},
+         3,
+         "node 3, an end of beam element 0: elements 0 and 2 would overlap"},
+        {{NODE(0), NODE(6)},
+         2,
+         "node 0, which beam element 0 leaves in the same direction: elements 0 and"},
     };
     size_t k;
     for (k = 0; k < LENGTH(overlaps); k++) {
@@ -320,7 +326,7 @@ static void loads_at_places(void)
     REFUSES_NULL(WITH(in.model, in.axis, NULL, signals), "fractions");
     REFUSES_NULL(WITH(in.model, in.axis, in.fractions, NULL), "signals");
     REFUSES_EACH(in.first_element, int32_t, bad_ids, CALL, PDN_ERR_ID,
-                 "first_element: expected a beam element id from 0 to 1, got ");
+                 "first_element: expected a beam element id from 300000000 to 300000001, got ");
     REFUSES_EACH(in.loaded, int32_t, bad_counts, CALL, PDN_ERR_SIZE,
                  "elements: expected 1 to 2 from element 0 on, got ");
     REFUSES_EACH(in.count, size_t, few, CALL, PDN_ERR_SIZE, "count: expected 2 to 100000, got ");
@@ -353,8 +359,8 @@ static void loads(void)
     pdn_model_add_distributed_load(in.model, in.first_element, in.loaded, in.frame, in.component,  \
                                    &in.signal, in.fractions, in.factors, in.count)
 #define WITH(model, signal, fractions, factors, count)                                             \
-    pdn_model_add_distributed_load(model, 0, 2, in.frame, in.component, signal, fractions,         \
-                                   factors, count)
+    pdn_model_add_distributed_load(model, BEAM_ELEMENT(0), 2, in.frame, in.component, signal,      \
+                                   fractions, factors, count)
     REFUSES_NULL(WITH(NULL, &in.signal, in.fractions, in.factors, 4), "model");
     REFUSES_NULL(WITH(in.model, NULL, in.fractions, in.factors, 4), "signal");
     REFUSES_NULL(WITH(in.model, &in.signal, NULL, in.factors, 4), "fractions");
@@ -365,7 +371,7 @@ static void loads(void)
             "fractions: expected at most ");
 #undef WITH
     REFUSES_EACH(in.first_element, int32_t, bad_ids, CALL, PDN_ERR_ID,
-                 "first_element: expected a beam element id from 0 to 1, got ");
+                 "first_element: expected a beam element id from 300000000 to 300000001, got ");
     REFUSES_EACH(in.loaded, int32_t, bad_counts, CALL, PDN_ERR_SIZE,
                  "elements: expected 1 to 2 from element 0 on, got ");
     REFUSES_EACH(in.loaded, int32_t, negative, CALL, PDN_ERR_SIZE,

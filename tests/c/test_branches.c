@@ -156,7 +156,7 @@ static void folds(void)
     pdn_solution_free(solution);
     pdn_branch_free(locus);
     CHECK_STATUS(pdn_follow_locus(branch, 0, load, &options, &locus), PDN_ERR_NOT_AVAILABLE);
-    CHECK_STATUS(pdn_follow_locus(branch, fold, 5, &options, &locus), PDN_ERR_ID);
+    CHECK_STATUS(pdn_follow_locus(branch, fold, PARAMETER(5), &options, &locus), PDN_ERR_ID);
     CHECK_STATUS(pdn_follow_locus(branch, fold, PDN_FREQUENCY, &options, &locus), PDN_ERR_VALUE);
     pdn_branch_free(branch);
     pdn_model_free(model);
@@ -181,9 +181,9 @@ static void loop(void)
     CHECK_STATUS(pdn_signal_set_harmonics(&push, 0, 0, NULL, NULL, 0), PDN_OK);
     CHECK_STATUS(pdn_model_add_actuator(model, joint, PDN_ROTATION, &push, &force), PDN_OK);
     CHECK_STATUS(pdn_model_add_parameter(model, "torque", 0, 1, &torque), PDN_OK);
-    CHECK_STATUS(pdn_model_move_signal(model, torque, PDN_SIGNAL_OF_ACTUATOR, force, 0,
-                                       PDN_PART_MEAN, 1),
-                 PDN_OK);
+    CHECK_STATUS(
+        pdn_model_move_signal(model, torque, PDN_SIGNAL_OF_ACTUATOR, force, 0, PDN_PART_MEAN, 1),
+        PDN_OK);
     PDN_INIT(pdn_periodic_options, &periodic);
     PDN_INIT(pdn_branch_options, &options);
     periodic.grid_points = 3;

@@ -14,7 +14,7 @@ static struct {
 static int model_changed(void)
 {
     char label[PDN_LABEL_LENGTH + 1];
-    return pdn_model_label(in.model, PDN_OBJECT_NODE, 0, label, sizeof label) != 5 ||
+    return pdn_model_label(in.model, PDN_OBJECT_NODE, NODE(0), label, sizeof label) != 5 ||
            strcmp(label, "crank") != 0 ||
            pdn_model_label(in.model, PDN_OBJECT_NODE, 1, label, sizeof label) != 0;
 }
@@ -30,7 +30,7 @@ static pdn_model *build(void)
     const double moments[9] = {0.3, 0, 0, 0, 0.4, 0, 0, 0, 0.5}, stiff[2] = {3, 0.5};
     const double branch[1] = {2}, relaxation[1] = {0.1}, cosines[1] = {0.3}, sines[1] = {0.1};
     const double sizes[6] = {100, 40, 40, 2, 3, 4}, masses[4] = {1.5, 0.01, 0.005, 0.006};
-    const int32_t joints[2] = {0, 1}, coordinates[2] = {PDN_ROTATION, PDN_ROTATION};
+    const int32_t joints[2] = {JOINT(0), JOINT(1)}, coordinates[2] = {PDN_ROTATION, PDN_ROTATION};
     const double coefficients[2] = {2, -1};
     const pdn_frame frame = {{0.1, 0.2, 0.3}, {0, 1, 0, -1, 0, 0, 0, 0, 1}};
     double matrix[36] = {0};
@@ -50,12 +50,12 @@ static pdn_model *build(void)
                  PDN_OK);
     PDN_INIT(pdn_signal, &signal);
     CHECK_STATUS(pdn_signal_set_harmonics(&signal, 0.2, 0, cosines, sines, 1), PDN_OK);
-    CHECK_STATUS(pdn_model_add_nonlinear_spring_damper(model, 1, PDN_ROTATION, stiff, 2, stiff, 1,
-                                                       0.7, NULL),
+    CHECK_STATUS(pdn_model_add_nonlinear_spring_damper(model, JOINT(1), PDN_ROTATION, stiff, 2,
+                                                       stiff, 1, 0.7, NULL),
                  PDN_OK);
-    CHECK_STATUS(pdn_model_add_actuator(model, 1, PDN_ROTATION, &signal, NULL), PDN_OK);
-    CHECK_STATUS(pdn_model_add_viscoelastic(model, 1, PDN_ROTATION, 1.5, 0.1, branch, relaxation,
-                                            1, NULL),
+    CHECK_STATUS(pdn_model_add_actuator(model, JOINT(1), PDN_ROTATION, &signal, NULL), PDN_OK);
+    CHECK_STATUS(pdn_model_add_viscoelastic(model, JOINT(1), PDN_ROTATION, 1.5, 0.1, branch,
+                                            relaxation, 1, NULL),
                  PDN_OK);
     matrix[0] = 5;
     matrix[6] = 1; /* row 0 of column 1 */
@@ -64,16 +64,17 @@ static pdn_model *build(void)
                  PDN_OK);
     CHECK_STATUS(pdn_model_add_relation(model, joints, coordinates, coefficients, 2, NULL, NULL),
                  PDN_OK);
-    CHECK_STATUS(pdn_model_prescribe(model, 0, PDN_ROTATION, &signal), PDN_OK);
+    CHECK_STATUS(pdn_model_prescribe(model, JOINT(0), PDN_ROTATION, &signal), PDN_OK);
     CHECK_STATUS(pdn_model_add_load(model, bodies[1], PDN_FRAME_MATERIAL, PDN_FORCE_2, &signal),
                  PDN_OK);
     PDN_INIT(pdn_section, &section);
     CHECK_STATUS(pdn_section_set_diagonal(&section, sizes, masses), PDN_OK);
     CHECK_STATUS(pdn_model_add_straight_beam(model, ORIGIN, FAR_END, ACROSS, &section, 2, 3, &beam),
                  PDN_OK);
-    CHECK_STATUS(pdn_model_set_label(model, PDN_OBJECT_NODE, 0, "crank"), PDN_OK);
-    CHECK_STATUS(pdn_model_set_label(model, PDN_OBJECT_JOINT, 0, "main bearing"), PDN_OK);
-    CHECK_STATUS(pdn_model_set_label(model, PDN_OBJECT_RELATION, 0, "G\xc3\xa4nge"), PDN_OK);
+    CHECK_STATUS(pdn_model_set_label(model, PDN_OBJECT_NODE, NODE(0), "crank"), PDN_OK);
+    CHECK_STATUS(pdn_model_set_label(model, PDN_OBJECT_JOINT, JOINT(0), "main bearing"), PDN_OK);
+    CHECK_STATUS(pdn_model_set_label(model, PDN_OBJECT_RELATION, RELATION(0), "G\xc3\xa4nge"),
+                 PDN_OK);
     return model;
 }
 
@@ -85,50 +86,53 @@ static void joints_and_forces_are_those_given(void)
     pdn_joint_info joint;
     pdn_force_info force;
     PDN_INIT(pdn_joint_info, &joint);
-    CHECK_STATUS(pdn_model_joint(in.model, 1, &joint), PDN_OK);
-    CHECK(joint.kind == PDN_JOINT_REVOLUTE && joint.first == 0 && joint.second == 1);
+    CHECK_STATUS(pdn_model_joint(in.model, JOINT(1), &joint), PDN_OK);
+    CHECK(joint.kind == PDN_JOINT_REVOLUTE && joint.first == NODE(0) && joint.second == NODE(1));
     CHECK_NEAR(joint.second_rotation[8], 1, 1e-15);
     CHECK_NEAR(joint.first_position[0], 0, 1e-15);
-    CHECK_STATUS(pdn_model_joint(in.model, 2, &joint), PDN_OK);
+    CHECK_STATUS(pdn_model_joint(in.model, JOINT(2), &joint), PDN_OK);
     CHECK(joint.kind == PDN_JOINT_SCREW && joint.first == PDN_GROUND && joint.pitch == -0.2);
 
     PDN_INIT(pdn_force_info, &force);
-    CHECK_STATUS(pdn_model_force(in.model, 0, &force), PDN_OK);
-    CHECK(force.kind == PDN_FORCE_IS_SPRING_DAMPER && force.joint == 1 &&
+    CHECK_STATUS(pdn_model_force(in.model, FORCE(0), &force), PDN_OK);
+    CHECK(force.kind == PDN_FORCE_IS_SPRING_DAMPER && force.joint == JOINT(1) &&
           force.coordinate == PDN_ROTATION && force.stiffness_count == 2 &&
           force.damping_count == 1 && force.rest == 0.7);
-    CHECK_STATUS(pdn_model_force_number(in.model, 0, PDN_NUMBER_STIFFNESS, 1, &value), PDN_OK);
+    CHECK_STATUS(pdn_model_force_number(in.model, FORCE(0), PDN_NUMBER_STIFFNESS, 1, &value),
+                 PDN_OK);
     CHECK(value == 0.5);
-    CHECK_STATUS(pdn_model_force(in.model, 1, &force), PDN_OK);
+    CHECK_STATUS(pdn_model_force(in.model, FORCE(1), &force), PDN_OK);
     CHECK(force.kind == PDN_FORCE_IS_ACTUATOR && force.stiffness_count == 0);
-    CHECK_STATUS(pdn_model_force(in.model, 2, &force), PDN_OK);
+    CHECK_STATUS(pdn_model_force(in.model, FORCE(2), &force), PDN_OK);
     CHECK(force.kind == PDN_FORCE_IS_VISCOELASTIC && force.branch_count == 1 &&
           force.stiffness_count == 2);
-    CHECK_STATUS(pdn_model_force_number(in.model, 2, PDN_NUMBER_RELAXATION_TIME, 0, &value),
+    CHECK_STATUS(pdn_model_force_number(in.model, FORCE(2), PDN_NUMBER_RELAXATION_TIME, 0, &value),
                  PDN_OK);
     CHECK(value == 0.1);
-    CHECK_STATUS(pdn_model_force(in.model, 3, &force), PDN_OK);
+    CHECK_STATUS(pdn_model_force(in.model, FORCE(3), &force), PDN_OK);
     CHECK(force.kind == PDN_FORCE_IS_BUSHING && force.joint == -1 && force.coordinate == -1 &&
-          force.first == 0 && force.second == 1 && force.angles == PDN_ANGLES_TILT_AND_SPIN);
+          force.first == NODE(0) && force.second == NODE(1) &&
+          force.angles == PDN_ANGLES_TILT_AND_SPIN);
     CHECK_NEAR(force.second_position[2], 0.3, 1e-15);
     CHECK_NEAR(force.first_rotation[1], 1, 1e-15);
-    CHECK_STATUS(pdn_model_force_number(in.model, 3, PDN_NUMBER_STIFFNESS, 6, &value), PDN_OK);
+    CHECK_STATUS(pdn_model_force_number(in.model, FORCE(3), PDN_NUMBER_STIFFNESS, 6, &value),
+                 PDN_OK);
     CHECK(value == 1);
 
-    CHECK_STATUS(pdn_model_relation_term_count(in.model, 0, &count), PDN_OK);
+    CHECK_STATUS(pdn_model_relation_term_count(in.model, RELATION(0), &count), PDN_OK);
     CHECK(count == 2);
-    CHECK_STATUS(pdn_model_relation_term(in.model, 0, 1, &id, &other, &value), PDN_OK);
-    CHECK(id == 1 && other == PDN_ROTATION && value == -1);
+    CHECK_STATUS(pdn_model_relation_term(in.model, RELATION(0), 1, &id, &other, &value), PDN_OK);
+    CHECK(id == JOINT(1) && other == PDN_ROTATION && value == -1);
     CHECK_STATUS(pdn_model_prescribed(in.model, 0, &id, &other), PDN_OK);
-    CHECK(id == 0 && other == PDN_ROTATION);
+    CHECK(id == JOINT(0) && other == PDN_ROTATION);
     CHECK_STATUS(pdn_model_load_count(in.model, &count), PDN_OK);
     CHECK_STATUS(pdn_model_load_at(in.model, 0, &id, &other), PDN_OK);
-    CHECK(count == 1 && id == 1 && other == PDN_FRAME_MATERIAL);
+    CHECK(count == 1 && id == NODE(1) && other == PDN_FRAME_MATERIAL);
     for (i = 0; i < 2; i++) {
         const int32_t place = i == 0 ? PDN_SIGNAL_OF_PRESCRIBED : PDN_SIGNAL_OF_LOAD;
         const int32_t component = i == 0 ? 0 : PDN_FORCE_2;
-        CHECK_STATUS(
-            pdn_model_sample_signal(in.model, place, 0, component, 2.0, times, 2, values), PDN_OK);
+        CHECK_STATUS(pdn_model_sample_signal(in.model, place, 0, component, 2.0, times, 2, values),
+                     PDN_OK);
         CHECK_NEAR(values[0], 0.5, 1e-15);
         CHECK_NEAR(values[1], 0.3, 1e-15);
     }
@@ -139,14 +143,14 @@ static void beams_and_masses_are_those_given(void)
     double twist, matrix[36];
     int32_t count, node, i;
     pdn_section section;
-    CHECK_STATUS(pdn_model_beam_element_node_count(in.model, 1, &count), PDN_OK);
+    CHECK_STATUS(pdn_model_beam_element_node_count(in.model, BEAM_ELEMENT(1), &count), PDN_OK);
     CHECK(count == 4);
     for (i = 0; i < 4; i++) {
-        CHECK_STATUS(pdn_model_beam_element_node(in.model, 1, i, &node), PDN_OK);
-        CHECK(node == 5 + i);
+        CHECK_STATUS(pdn_model_beam_element_node(in.model, BEAM_ELEMENT(1), i, &node), PDN_OK);
+        CHECK(node == NODE(5 + i));
     }
     PDN_INIT(pdn_section, &section);
-    CHECK_STATUS(pdn_model_beam_section(in.model, 1, 0.3, &section, &twist), PDN_OK);
+    CHECK_STATUS(pdn_model_beam_section(in.model, BEAM_ELEMENT(1), 0.3, &section, &twist), PDN_OK);
     CHECK_NEAR(section.stiffness[0], 100, 1e-12);
     CHECK_NEAR(section.stiffness[35], 4, 1e-12);
     CHECK_NEAR(section.mass[0], 1.5, 1e-12);
@@ -154,7 +158,7 @@ static void beams_and_masses_are_those_given(void)
     CHECK_STATUS(pdn_model_inertia_count(in.model, &count), PDN_OK);
     CHECK(count == 2);
     CHECK_STATUS(pdn_model_inertia(in.model, 1, &node, matrix), PDN_OK);
-    CHECK(node == 1);
+    CHECK(node == NODE(1));
     CHECK_NEAR(matrix[0], 3, 1e-15);
     CHECK_NEAR(matrix[28], 0.4, 1e-15);
 }
@@ -165,13 +169,13 @@ static void labels_name_things(void)
     char text[4096];
     int32_t id;
     CHECK_STATUS(pdn_model_find_label(in.model, PDN_OBJECT_NODE, "crank", &id), PDN_OK);
-    CHECK(id == 0);
-    CHECK(pdn_model_label(in.model, PDN_OBJECT_RELATION, 0, text, sizeof text) == 6);
+    CHECK(id == NODE(0));
+    CHECK(pdn_model_label(in.model, PDN_OBJECT_RELATION, RELATION(0), text, sizeof text) == 6);
     CHECK(strcmp(text, "G\xc3\xa4nge") == 0);
     /* Cut where a character ends. */
-    CHECK(pdn_model_label(in.model, PDN_OBJECT_RELATION, 0, text, 3) == 6);
+    CHECK(pdn_model_label(in.model, PDN_OBJECT_RELATION, RELATION(0), text, 3) == 6);
     CHECK(strcmp(text, "G") == 0);
-    CHECK(pdn_model_label(in.model, PDN_OBJECT_RELATION, 0, NULL, 0) == 6);
+    CHECK(pdn_model_label(in.model, PDN_OBJECT_RELATION, RELATION(0), NULL, 0) == 6);
     CHECK(pdn_model_describe(in.model, text, sizeof text) < sizeof text);
     CHECK(strstr(text, "joints 0 \"main bearing\"") != NULL);
 }
@@ -184,7 +188,7 @@ static void wrong_calls_are_refused(void)
     longer[PDN_LABEL_LENGTH + 1] = 0;
 #define SET(model, label) pdn_model_set_label(model, in.kind, in.id, label)
     in.kind = PDN_OBJECT_NODE;
-    in.id = 1;
+    in.id = NODE(1);
     REFUSED(SET(NULL, "a"), PDN_ERR_NULL, "model");
     REFUSED(SET(in.model, "crank"), PDN_ERR_VALUE,
             "label: expected one that no other node has, got that of node 0");
@@ -202,34 +206,35 @@ static void wrong_calls_are_refused(void)
     REFUSED(FIND(in.model, "pin", &out.id), PDN_ERR_NOT_AVAILABLE, "label: no node has");
     REFUSES_EACH(in.kind, int32_t, none, FIND(in.model, "a", &out.id), PDN_ERR_VALUE, "kind: ");
 #undef FIND
-    in.id = 0;
+    in.id = FORCE(0);
     REFUSES_EACH(in.id, int32_t, none,
                  pdn_model_force_number(in.model, in.id, PDN_NUMBER_STIFFNESS, 0, &out.number),
                  PDN_ERR_ID, "force: ");
-    REFUSES_EACH(in.index, int32_t, none,
-                 pdn_model_force_number(in.model, 0, PDN_NUMBER_STIFFNESS, in.index, &out.number),
-                 PDN_ERR_ID, "index: ");
+    REFUSES_EACH(
+        in.index, int32_t, none,
+        pdn_model_force_number(in.model, FORCE(0), PDN_NUMBER_STIFFNESS, in.index, &out.number),
+        PDN_ERR_ID, "index: ");
     REFUSES_EACH(in.number, int32_t, none,
-                 pdn_model_force_number(in.model, 0, in.number, 0, &out.number), PDN_ERR_VALUE,
-                 "number: ");
-    REFUSED(pdn_model_force_number(in.model, 0, PDN_NUMBER_STIFFNESS, 0, NULL), PDN_ERR_NULL,
+                 pdn_model_force_number(in.model, FORCE(0), in.number, 0, &out.number),
+                 PDN_ERR_VALUE, "number: ");
+    REFUSED(pdn_model_force_number(in.model, FORCE(0), PDN_NUMBER_STIFFNESS, 0, NULL), PDN_ERR_NULL,
             "out");
-    REFUSED(pdn_model_force_node(in.model, 0, 0, &out.id), PDN_ERR_ID, "index: ");
-    REFUSES_EACH(in.id, int32_t, none,
-                 pdn_model_beam_element_node_count(in.model, in.id, &out.id), PDN_ERR_ID,
-                 "element: ");
+    REFUSED(pdn_model_force_node(in.model, FORCE(0), 0, &out.id), PDN_ERR_ID, "index: ");
+    REFUSES_EACH(in.id, int32_t, none, pdn_model_beam_element_node_count(in.model, in.id, &out.id),
+                 PDN_ERR_ID, "element: ");
     REFUSES_EACH(in.index, int32_t, none,
-                 pdn_model_beam_element_node(in.model, 0, in.index, &out.id), PDN_ERR_ID,
-                 "index: ");
+                 pdn_model_beam_element_node(in.model, BEAM_ELEMENT(0), in.index, &out.id),
+                 PDN_ERR_ID, "index: ");
     REFUSED(pdn_model_inertia(in.model, 2, &out.id, out.numbers), PDN_ERR_ID, "index: ");
     REFUSED(pdn_model_inertia(in.model, 0, NULL, out.numbers), PDN_ERR_NULL, "node");
     REFUSED(pdn_model_inertia(in.model, 0, &out.id, NULL), PDN_ERR_NULL, "matrix");
     REFUSED(pdn_model_prescribed(in.model, 1, &out.id, &out.other), PDN_ERR_ID, "index: ");
     REFUSED(pdn_model_prescribed(in.model, 0, &out.id, NULL), PDN_ERR_NULL, "coordinate");
     REFUSED(pdn_model_load_at(in.model, 1, &out.id, &out.other), PDN_ERR_ID, "index: ");
-    REFUSED(pdn_model_relation_term_count(in.model, 1, &out.id), PDN_ERR_ID, "relation: ");
-    REFUSED(pdn_model_relation_term(in.model, 0, 2, &out.id, &out.other, &out.number), PDN_ERR_ID,
-            "index: ");
+    REFUSED(pdn_model_relation_term_count(in.model, RELATION(1), &out.id), PDN_ERR_ID,
+            "relation: ");
+    REFUSED(pdn_model_relation_term(in.model, RELATION(0), 2, &out.id, &out.other, &out.number),
+            PDN_ERR_ID, "index: ");
 #define SAMPLE(place, component)                                                                   \
     pdn_model_sample_signal(in.model, place, in.index, component, in.period, in.times, 2,          \
                             out.numbers)
@@ -254,15 +259,17 @@ static void structs_are_refused(void)
     PDN_INIT(pdn_joint_info, &joint);
     PDN_INIT(pdn_force_info, &force);
     PDN_INIT(pdn_section, &section);
-    CHECK_STATUS(pdn_model_joint(in.model, 3, &joint), PDN_ERR_ID);
-    CHECK_STATUS(pdn_model_joint(in.model, 0, NULL), PDN_ERR_NULL);
+    CHECK_STATUS(pdn_model_joint(in.model, JOINT(3), &joint), PDN_ERR_ID);
+    CHECK_STATUS(pdn_model_joint(in.model, JOINT(0), NULL), PDN_ERR_NULL);
     CHECK_STATUS(pdn_model_force(in.model, -1, &force), PDN_ERR_ID);
-    CHECK_STATUS(pdn_model_beam_section(in.model, 2, 0, &section, NULL), PDN_ERR_ID);
-    CHECK_STATUS(pdn_model_beam_section(in.model, 0, 1.01, &section, NULL), PDN_ERR_VALUE);
-    CHECK_STATUS(pdn_model_beam_section(in.model, 0, NAN, &section, NULL), PDN_ERR_NOT_FINITE);
+    CHECK_STATUS(pdn_model_beam_section(in.model, BEAM_ELEMENT(2), 0, &section, NULL), PDN_ERR_ID);
+    CHECK_STATUS(pdn_model_beam_section(in.model, BEAM_ELEMENT(0), 1.01, &section, NULL),
+                 PDN_ERR_VALUE);
+    CHECK_STATUS(pdn_model_beam_section(in.model, BEAM_ELEMENT(0), NAN, &section, NULL),
+                 PDN_ERR_NOT_FINITE);
     joint.struct_size = force.struct_size = 8;
-    CHECK_STATUS(pdn_model_joint(in.model, 0, &joint), PDN_ERR_STRUCT_SIZE);
-    CHECK_STATUS(pdn_model_force(in.model, 0, &force), PDN_ERR_STRUCT_SIZE);
+    CHECK_STATUS(pdn_model_joint(in.model, JOINT(0), &joint), PDN_ERR_STRUCT_SIZE);
+    CHECK_STATUS(pdn_model_force(in.model, FORCE(0), &force), PDN_ERR_STRUCT_SIZE);
 }
 
 int main(void)

@@ -115,9 +115,9 @@ static void an_integral_makes_it_third_order(void)
         CHECK_STATUS(pdn_model_add_actuator(model, joint, PDN_DISPLACEMENT, &signal, NULL), PDN_OK);
         solution = solve(model);
         CHECK(calls > POINTS);
-        CHECK_STATUS(pdn_solution_joint_coordinate(solution, joint, PDN_DISPLACEMENT, times, TIMES,
-                                                   found),
-                     PDN_OK);
+        CHECK_STATUS(
+            pdn_solution_joint_coordinate(solution, joint, PDN_DISPLACEMENT, times, TIMES, found),
+            PDN_OK);
         PDN_INIT(pdn_quantity, &quantity);
         quantity.kind = PDN_QUANTITY_CONTROL_STATE;
         quantity.object = id;
@@ -159,7 +159,7 @@ static void an_integral_makes_it_third_order(void)
         CHECK_STATUS(pdn_model_controller_state(model, id, 0, &start, &scale), PDN_OK);
         CHECK(start == 0.25 && scale == 0.5);
         CHECK_STATUS(pdn_model_controller_state(model, id, 1, &start, &scale), PDN_ERR_ID);
-        CHECK_STATUS(pdn_model_controller_counts(model, 0, &count[0], NULL, NULL),
+        CHECK_STATUS(pdn_model_controller_counts(model, FORCE(0), &count[0], NULL, NULL),
                      PDN_ERR_NOT_AVAILABLE);
         pdn_solution_free(solution);
         pdn_model_free(model);
@@ -186,8 +186,7 @@ static void functions_are_bound_by_label(void)
     options.grid_points = POINTS;
     CHECK_STATUS(pdn_solve_periodic(loaded, 2.0, &options, &solution), PDN_ERR_CALLBACK);
     CHECK_STATUS(pdn_model_find_label(loaded, PDN_OBJECT_FORCE, "governor", &id), PDN_OK);
-    CHECK_STATUS(pdn_model_bind_controller(loaded, id, PDN_TANGENTS_GIVEN, integrate, &calls,
-                                           NULL),
+    CHECK_STATUS(pdn_model_bind_controller(loaded, id, PDN_TANGENTS_GIVEN, integrate, &calls, NULL),
                  PDN_OK);
     CHECK_STATUS(pdn_solve_periodic(loaded, 2.0, &options, &solution), PDN_OK);
     CHECK(calls > 0);
@@ -196,8 +195,8 @@ static void functions_are_bound_by_label(void)
     CHECK_STATUS(pdn_model_bind_controller(loaded, id, PDN_TANGENTS_GIVEN, integrate, &destroyed,
                                            count_destroyed),
                  PDN_OK);
-    CHECK_STATUS(pdn_model_bind_controller(loaded, 0, PDN_TANGENTS_GIVEN, integrate, &destroyed,
-                                           count_destroyed),
+    CHECK_STATUS(pdn_model_bind_controller(loaded, FORCE(0), PDN_TANGENTS_GIVEN, integrate,
+                                           &destroyed, count_destroyed),
                  PDN_ERR_NOT_AVAILABLE);
     CHECK_STATUS(pdn_model_bind_controller(loaded, id, 7, integrate, &destroyed, count_destroyed),
                  PDN_ERR_VALUE);
@@ -205,8 +204,7 @@ static void functions_are_bound_by_label(void)
                                            count_destroyed),
                  PDN_ERR_NULL);
     CHECK(destroyed == 0);
-    CHECK_STATUS(pdn_model_bind_controller(loaded, id, PDN_TANGENTS_GIVEN, integrate, &calls,
-                                           NULL),
+    CHECK_STATUS(pdn_model_bind_controller(loaded, id, PDN_TANGENTS_GIVEN, integrate, &calls, NULL),
                  PDN_OK);
     CHECK(destroyed == 1);
     pdn_model_free(loaded);
@@ -215,8 +213,8 @@ static void functions_are_bound_by_label(void)
 
 static void reset(void)
 {
-    in.input_joints[0] = in.input_joints[1] = 0;
-    in.output_joints[0] = in.output_joints[1] = 0;
+    in.input_joints[0] = in.input_joints[1] = JOINT(0);
+    in.output_joints[0] = in.output_joints[1] = JOINT(0);
     in.input_coordinates[0] = in.input_coordinates[1] = PDN_DISPLACEMENT;
     in.output_coordinates[0] = in.output_coordinates[1] = PDN_DISPLACEMENT;
     in.initial[0] = 0;

@@ -68,13 +68,12 @@ static void limit_cycle(void)
     CHECK(latest < 4 * PI && latest > 6);
     CHECK_STATUS(pdn_solution_parameter(solution, PDN_FREQUENCY, &frequency), PDN_OK);
     CHECK_NEAR(2 * PI / frequency, 6.663286859323, 2e-12);
-    CHECK_STATUS(pdn_solution_parameter(solution, 0, &frequency), PDN_ERR_ID);
+    CHECK_STATUS(pdn_solution_parameter(solution, PARAMETER(0), &frequency), PDN_ERR_ID);
     pdn_solution_free(solution);
 
     /* From rest nothing tells the phase. */
     options.guess_positions = options.guess_rotations = NULL;
-    CHECK_STATUS(pdn_solve_conditioned(model, 6.5, conditions, &options, &solution),
-                 PDN_ERR_VALUE);
+    CHECK_STATUS(pdn_solve_conditioned(model, 6.5, conditions, &options, &solution), PDN_ERR_VALUE);
     CHECK_MESSAGE("stands still");
     pdn_conditions_free(conditions);
     pdn_model_free(model);
@@ -235,7 +234,7 @@ static void frequency_response(void)
     for (int i = 0; i < 2; ++i) {
         PDN_INIT(pdn_quantity, &outputs[i]);
         outputs[i].kind = i ? PDN_QUANTITY_EFFORT : PDN_QUANTITY_POSITION;
-        outputs[i].object = i ? 0 : body;
+        outputs[i].object = i ? FORCE(0) : body;
     }
     CHECK_STATUS(pdn_branch_write_csv(branch, outputs, 2, "test_families.csv"), PDN_OK);
     CHECK_STATUS(pdn_branch_write_csv(branch, NULL, 0, "test_families.csv"), PDN_OK);
@@ -246,7 +245,7 @@ static void frequency_response(void)
     outputs[1].struct_size -= 8;
     CHECK_STATUS(pdn_branch_write_csv(branch, outputs, 2, "test_families.csv"),
                  PDN_ERR_STRUCT_SIZE);
-    const int32_t blades[2] = {body, body}, none[2] = {body, 99};
+    const int32_t blades[2] = {body, body}, none[2] = {body, NODE(99)};
     const char *path = "test_families.csv";
     CHECK_STATUS(pdn_branch_write_campbell(branch, NULL, NULL, 0, path), PDN_OK);
     CHECK_STATUS(pdn_branch_write_campbell(branch, NULL, NULL, 1, path), PDN_ERR_NULL);
@@ -285,9 +284,9 @@ static void along_a_load(void)
     options.to = 1.5;
     CHECK_STATUS(pdn_follow_branch(model, 2 * PI / 0.8, load, &options, &branch), PDN_ERR_VALUE);
     CHECK_MESSAGE("the parameter \"load\" moves nothing");
-    CHECK_STATUS(pdn_model_move_signal(model, load, PDN_SIGNAL_OF_ACTUATOR, force, 0,
-                                       PDN_PART_AMPLITUDE, 1),
-                 PDN_OK);
+    CHECK_STATUS(
+        pdn_model_move_signal(model, load, PDN_SIGNAL_OF_ACTUATOR, force, 0, PDN_PART_AMPLITUDE, 1),
+        PDN_OK);
     CHECK_STATUS(pdn_follow_branch(model, 2 * PI / 0.8, load, &options, &branch), PDN_OK);
     CHECK(pdn_branch_end(branch) == PDN_BRANCH_RANGE);
     CHECK_STATUS(pdn_branch_get(branch, 0, &point), PDN_OK);
@@ -299,17 +298,18 @@ static void along_a_load(void)
 
     /* What is wrong with parameters. */
     CHECK_STATUS(pdn_model_add_parameter(model, "load", 1, 1, &load), PDN_ERR_VALUE);
-    CHECK_STATUS(pdn_model_move_number(model, 3, PDN_NUMBER_REST, 0, 0, 1), PDN_ERR_ID);
-    CHECK_STATUS(pdn_model_move_number(model, load, PDN_NUMBER_STIFFNESS, 0, 4, 1), PDN_ERR_ID);
+    CHECK_STATUS(pdn_model_move_number(model, PARAMETER(3), PDN_NUMBER_REST, 0, 0, 1), PDN_ERR_ID);
+    CHECK_STATUS(pdn_model_move_number(model, load, PDN_NUMBER_STIFFNESS, FORCE(0), 4, 1),
+                 PDN_ERR_ID);
     CHECK_STATUS(pdn_model_move_number(model, load, 99, 0, 0, 1), PDN_ERR_VALUE);
-    CHECK_STATUS(pdn_model_move_signal(model, load, PDN_SIGNAL_OF_ACTUATOR, force, 0,
-                                       PDN_PART_AMPLITUDE, 1),
-                 PDN_ERR_VALUE);
+    CHECK_STATUS(
+        pdn_model_move_signal(model, load, PDN_SIGNAL_OF_ACTUATOR, force, 0, PDN_PART_AMPLITUDE, 1),
+        PDN_ERR_VALUE);
     CHECK_MESSAGE("moves the same already");
     CHECK_STATUS(pdn_model_move_signal(model, load, PDN_SIGNAL_OF_GRAVITY, 0, 0, PDN_PART_MEAN, 1),
                  PDN_ERR_ID);
     CHECK_STATUS(pdn_model_set_parameter(model, load, 2), PDN_OK);
-    CHECK_STATUS(pdn_model_declare_of_phase(model, 0), PDN_ERR_NOT_AVAILABLE);
+    CHECK_STATUS(pdn_model_declare_of_phase(model, FORCE(0)), PDN_ERR_NOT_AVAILABLE);
     CHECK_STATUS(pdn_solve_frequency_response(model, 0, 1, NULL, &branch), PDN_ERR_VALUE);
     CHECK_STATUS(pdn_solve_frequency_response(model, 1, 1, NULL, &branch), PDN_ERR_VALUE);
     pdn_model_free(model);
@@ -326,8 +326,8 @@ static void resonance(void)
     pdn_signal push;
     pdn_periodic_options options;
     begin();
-    CHECK_STATUS(
-        pdn_model_add_spring_damper(model, joint, PDN_DISPLACEMENT, 4, 0.1, 0, &force), PDN_OK);
+    CHECK_STATUS(pdn_model_add_spring_damper(model, joint, PDN_DISPLACEMENT, 4, 0.1, 0, &force),
+                 PDN_OK);
     PDN_INIT(pdn_signal, &push);
     CHECK_STATUS(pdn_signal_set_harmonics(&push, 0, 0, cosines, sines, 1), PDN_OK);
     CHECK_STATUS(pdn_model_add_actuator(model, joint, PDN_DISPLACEMENT, &push, &force), PDN_OK);
@@ -336,9 +336,8 @@ static void resonance(void)
     PDN_INIT(pdn_quantity, &velocity);
     velocity.kind = PDN_QUANTITY_VELOCITY;
     velocity.object = body;
-    CHECK_STATUS(
-        pdn_conditions_add_quantity(conditions, &velocity, PDN_FEATURE_SINE, 1, 0, 0),
-        PDN_ERR_VALUE);
+    CHECK_STATUS(pdn_conditions_add_quantity(conditions, &velocity, PDN_FEATURE_SINE, 1, 0, 0),
+                 PDN_ERR_VALUE);
     CHECK_MESSAGE("quantity.component");
     velocity.component = 0;
     CHECK_STATUS(pdn_conditions_add_quantity(conditions, &velocity, PDN_FEATURE_SINE, 1.5, 0, 0),

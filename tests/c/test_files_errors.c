@@ -52,7 +52,7 @@ static void make_solution(void)
     pdn_model_free(model);
 }
 
-static const int32_t bad_ids[] = {-1, 99, INT32_MAX, INT32_MIN};
+static const int32_t bad_ids[] = {-1, NO_IDS};
 static const char not_utf8[] = "a\xff";
 
 static void new_tables(void)
@@ -68,51 +68,60 @@ static void columns(void)
 {
     int32_t id, quantity, detail;
     double station = 0;
-#define NODE(label) pdn_table_add_node(table, solution, id, quantity, label)
+#define ADD_NODE(label) pdn_table_add_node(table, solution, id, quantity, label)
     id = body, quantity = PDN_NODE_POSITION;
     REFUSED(pdn_table_add_node(NULL, solution, id, quantity, NULL), PDN_ERR_NULL, "table: ");
     REFUSED(pdn_table_add_node(table, NULL, id, quantity, NULL), PDN_ERR_NULL, "solution: ");
-    REFUSES_EACH(id, int32_t, bad_ids, NODE(NULL), PDN_ERR_ID, "node: expected ");
-    REFUSES_EACH(quantity, int32_t, bad_enums, NODE(NULL), PDN_ERR_VALUE, "quantity: expected ");
-    REFUSED(NODE(""), PDN_ERR_VALUE, "label: expected a name");
-    REFUSED(NODE(not_utf8), PDN_ERR_VALUE, "label: expected text in UTF-8");
+    REFUSES_EACH(id, int32_t, bad_ids, ADD_NODE(NULL), PDN_ERR_ID, "node: expected ");
+    REFUSES_EACH(quantity, int32_t, bad_enums, ADD_NODE(NULL), PDN_ERR_VALUE,
+                 "quantity: expected ");
+    REFUSED(ADD_NODE(""), PDN_ERR_VALUE, "label: expected a name");
+    REFUSED(ADD_NODE(not_utf8), PDN_ERR_VALUE, "label: expected text in UTF-8");
 
-#define JOINT(label) pdn_table_add_joint(table, solution, id, quantity, detail, label)
+#define ADD_JOINT(label) pdn_table_add_joint(table, solution, id, quantity, detail, label)
     id = hinge, quantity = PDN_JOINT_COORDINATE, detail = PDN_ROTATION;
     REFUSED(pdn_table_add_joint(NULL, solution, id, quantity, detail, NULL), PDN_ERR_NULL, "table");
     REFUSED(pdn_table_add_joint(table, NULL, id, quantity, detail, NULL), PDN_ERR_NULL, "solution");
-    REFUSES_EACH(id, int32_t, bad_ids, JOINT(NULL), PDN_ERR_ID, "joint: expected ");
-    REFUSES_EACH(quantity, int32_t, bad_enums, JOINT(NULL), PDN_ERR_VALUE, "quantity: expected ");
-    REFUSES_EACH(detail, int32_t, bad_enums, JOINT(NULL), PDN_ERR_VALUE, "detail: expected ");
-    REFUSED(JOINT("own"), PDN_ERR_VALUE, "label: expected names that no column has, got \"own\"");
-    REFUSED(JOINT("t"), PDN_ERR_VALUE, "label: ");
-    REFUSED(JOINT(not_utf8), PDN_ERR_VALUE, "label: expected text in UTF-8");
+    REFUSES_EACH(id, int32_t, bad_ids, ADD_JOINT(NULL), PDN_ERR_ID, "joint: expected ");
+    REFUSES_EACH(quantity, int32_t, bad_enums, ADD_JOINT(NULL), PDN_ERR_VALUE,
+                 "quantity: expected ");
+    REFUSES_EACH(detail, int32_t, bad_enums, ADD_JOINT(NULL), PDN_ERR_VALUE, "detail: expected ");
+    REFUSED(ADD_JOINT("own"), PDN_ERR_VALUE,
+            "label: expected names that no column has, got \"own\"");
+    REFUSED(ADD_JOINT("t"), PDN_ERR_VALUE, "label: ");
+    REFUSED(ADD_JOINT(not_utf8), PDN_ERR_VALUE, "label: expected text in UTF-8");
     detail = PDN_DISPLACEMENT;
-    REFUSED(JOINT(NULL), PDN_ERR_NOT_AVAILABLE, "coordinate: ");
+    REFUSED(ADD_JOINT(NULL), PDN_ERR_NOT_AVAILABLE, "coordinate: ");
 
-#define BEAM(label) pdn_table_add_beam(table, solution, id, station, quantity, label)
-    id = 0, quantity = PDN_BEAM_FORCE;
-    REFUSED(pdn_table_add_beam(NULL, solution, 0, 0, quantity, NULL), PDN_ERR_NULL, "table: ");
-    REFUSED(pdn_table_add_beam(table, NULL, 0, 0, quantity, NULL), PDN_ERR_NULL, "solution: ");
-    REFUSES_EACH(id, int32_t, bad_ids, BEAM(NULL), PDN_ERR_ID, "element: expected ");
-    REFUSES_EACH(quantity, int32_t, bad_enums, BEAM(NULL), PDN_ERR_VALUE, "quantity: expected ");
-    REFUSES_NOT_FINITE(station, BEAM(NULL), "station");
+#define ADD_BEAM(label) pdn_table_add_beam(table, solution, id, station, quantity, label)
+    id = BEAM_ELEMENT(0), quantity = PDN_BEAM_FORCE;
+    REFUSED(pdn_table_add_beam(NULL, solution, BEAM_ELEMENT(0), 0, quantity, NULL), PDN_ERR_NULL,
+            "table: ");
+    REFUSED(pdn_table_add_beam(table, NULL, BEAM_ELEMENT(0), 0, quantity, NULL), PDN_ERR_NULL,
+            "solution: ");
+    REFUSES_EACH(id, int32_t, bad_ids, ADD_BEAM(NULL), PDN_ERR_ID, "element: expected ");
+    REFUSES_EACH(quantity, int32_t, bad_enums, ADD_BEAM(NULL), PDN_ERR_VALUE,
+                 "quantity: expected ");
+    REFUSES_NOT_FINITE(station, ADD_BEAM(NULL), "station");
     station = 1.5;
-    REFUSED(BEAM(NULL), PDN_ERR_VALUE, "station: expected ");
+    REFUSED(ADD_BEAM(NULL), PDN_ERR_VALUE, "station: expected ");
     station = 0;
-    REFUSED(BEAM(not_utf8), PDN_ERR_VALUE, "label: expected text in UTF-8");
+    REFUSED(ADD_BEAM(not_utf8), PDN_ERR_VALUE, "label: expected text in UTF-8");
 
-#define FORCE(label) pdn_table_add_force(table, solution, id, quantity, detail, label)
-    id = 0, quantity = PDN_FORCE_EFFORT, detail = 0;
-    REFUSED(pdn_table_add_force(NULL, solution, 0, quantity, 0, NULL), PDN_ERR_NULL, "table: ");
-    REFUSED(pdn_table_add_force(table, NULL, 0, quantity, 0, NULL), PDN_ERR_NULL, "solution: ");
-    REFUSES_EACH(id, int32_t, bad_ids, FORCE(NULL), PDN_ERR_ID, "force: expected ");
-    REFUSES_EACH(quantity, int32_t, bad_enums, FORCE(NULL), PDN_ERR_VALUE, "quantity: expected ");
-    REFUSED(FORCE(not_utf8), PDN_ERR_VALUE, "label: expected text in UTF-8");
+#define ADD_FORCE(label) pdn_table_add_force(table, solution, id, quantity, detail, label)
+    id = FORCE(0), quantity = PDN_FORCE_EFFORT, detail = 0;
+    REFUSED(pdn_table_add_force(NULL, solution, FORCE(0), quantity, 0, NULL), PDN_ERR_NULL,
+            "table: ");
+    REFUSED(pdn_table_add_force(table, NULL, FORCE(0), quantity, 0, NULL), PDN_ERR_NULL,
+            "solution: ");
+    REFUSES_EACH(id, int32_t, bad_ids, ADD_FORCE(NULL), PDN_ERR_ID, "force: expected ");
+    REFUSES_EACH(quantity, int32_t, bad_enums, ADD_FORCE(NULL), PDN_ERR_VALUE,
+                 "quantity: expected ");
+    REFUSED(ADD_FORCE(not_utf8), PDN_ERR_VALUE, "label: expected text in UTF-8");
     detail = 1;
-    REFUSED(FORCE(NULL), PDN_ERR_VALUE, "detail: expected zero");
+    REFUSED(ADD_FORCE(NULL), PDN_ERR_VALUE, "detail: expected zero");
     quantity = PDN_FORCE_BRANCH_EFFORT;
-    REFUSED(FORCE(NULL), PDN_ERR_NOT_AVAILABLE, "branch: ");
+    REFUSED(ADD_FORCE(NULL), PDN_ERR_NOT_AVAILABLE, "branch: ");
 
     REFUSED(pdn_table_add_values(NULL, "v", in.values, 3), PDN_ERR_NULL, "table: ");
     REFUSED(pdn_table_add_values(table, NULL, in.values, 3), PDN_ERR_NULL, "label: ");

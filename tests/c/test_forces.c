@@ -13,7 +13,7 @@ static const double MASS = 2.5, INERTIA = 0.4;
 static const double SPIN[9] = {0.4, 0, 0, 0, 0.4, 0, 0, 0, 0.4};
 static const double STIFFNESS = 30.0, DAMPING = 4.0, FORCE = 12.0;
 
-static const double times[TIMES] = {-1.3 * PERIOD, 0.0,           0.123 * PERIOD, 0.31 * PERIOD,
+static const double times[TIMES] = {-1.3 * PERIOD, 0.0,          0.123 * PERIOD, 0.31 * PERIOD,
                                     0.5 * PERIOD,  0.9 * PERIOD, 3.77 * PERIOD};
 
 static pdn_model *model;
@@ -87,12 +87,12 @@ static void check_on_body(int32_t force, const double *along)
 {
     double wrench[6 * TIMES], own[6 * TIMES];
     int i, k;
-    CHECK_STATUS(pdn_solution_force_on_node(solution, force, body, PDN_FRAME_SPACE, times, TIMES,
-                                            wrench),
-                 PDN_OK);
-    CHECK_STATUS(pdn_solution_force_on_node(solution, force, body, PDN_FRAME_MATERIAL, times,
-                                            TIMES, own),
-                 PDN_OK);
+    CHECK_STATUS(
+        pdn_solution_force_on_node(solution, force, body, PDN_FRAME_SPACE, times, TIMES, wrench),
+        PDN_OK);
+    CHECK_STATUS(
+        pdn_solution_force_on_node(solution, force, body, PDN_FRAME_MATERIAL, times, TIMES, own),
+        PDN_OK);
     for (i = 0; i < TIMES; i++)
         for (k = 0; k < 3; k++) {
             CHECK_NEAR(wrench[6 * i + k], along[i] * AXIS[k], 1e-9);
@@ -116,8 +116,8 @@ static void check_oscillation(double rest)
 {
     double u[TIMES], v[TIMES];
     int i;
-    CHECK_STATUS(
-        pdn_solution_joint_coordinate(solution, joint, PDN_DISPLACEMENT, times, TIMES, u), PDN_OK);
+    CHECK_STATUS(pdn_solution_joint_coordinate(solution, joint, PDN_DISPLACEMENT, times, TIMES, u),
+                 PDN_OK);
     CHECK_STATUS(pdn_solution_joint_rate(solution, joint, PDN_DISPLACEMENT, times, TIMES, v),
                  PDN_OK);
     for (i = 0; i < TIMES; i++) {
@@ -143,7 +143,7 @@ static void an_actuator_drives_an_oscillator(void)
                                              rest, &spring),
                  PDN_OK);
     CHECK_STATUS(pdn_model_add_actuator(model, joint, PDN_DISPLACEMENT, &push, &actuator), PDN_OK);
-    CHECK(spring == 0 && actuator == 1);
+    CHECK(spring == FORCE(0) && actuator == FORCE(1));
     check_force_count(2);
     solve();
     check_oscillation(rest);
@@ -179,8 +179,8 @@ static void polynomials_are_those_of_coordinate_and_rate(void)
     int i;
     begin_slider();
     prescribe(PDN_DISPLACEMENT, 0.2, 0.5, -0.3);
-    CHECK_STATUS(pdn_model_add_nonlinear_spring_damper(model, joint, PDN_DISPLACEMENT, stiffness,
-                                                       3, damping, 2, rest, &force),
+    CHECK_STATUS(pdn_model_add_nonlinear_spring_damper(model, joint, PDN_DISPLACEMENT, stiffness, 3,
+                                                       damping, 2, rest, &force),
                  PDN_OK);
     /* Neither needs to be there. */
     CHECK_STATUS(pdn_model_add_nonlinear_spring_damper(model, joint, PDN_DISPLACEMENT, NULL, 0,
@@ -196,7 +196,7 @@ static void polynomials_are_those_of_coordinate_and_rate(void)
         along[i] = -effort[i];
     }
     check_on_body(force, along);
-    CHECK_STATUS(pdn_solution_force_effort(solution, 1, times, TIMES, effort), PDN_OK);
+    CHECK_STATUS(pdn_solution_force_effort(solution, FORCE(1), times, TIMES, effort), PDN_OK);
     for (i = 0; i < TIMES; i++)
         CHECK(effort[i] == 0.0);
     end();
@@ -231,9 +231,9 @@ static void maxwell_branches_relax(void)
             const double a = size * (wt * c - s);
             CHECK_NEAR(branch[i], branch_stiffness[b] * a, 1e-10);
             /* The dashpot's mean is free: it moves as what the spring leaves. */
-            CHECK_NEAR(dashpot[i] - dashpot[0], swing * (c - cos(OMEGA * times[0])) - a +
-                                                    size * (wt * cos(OMEGA * times[0]) -
-                                                            sin(OMEGA * times[0])),
+            CHECK_NEAR(dashpot[i] - dashpot[0],
+                       swing * (c - cos(OMEGA * times[0])) - a +
+                           size * (wt * cos(OMEGA * times[0]) - sin(OMEGA * times[0])),
                        1e-10);
             total[i] += branch_stiffness[b] * a;
         }
@@ -274,12 +274,11 @@ static void a_damper_resists_by_its_matrix(void)
     prescribe(PDN_DISPLACEMENT, 0, 0, 0.4);
     for (k = 1; k < 6; k++)
         prescribe(PDN_DISPLACEMENT + k, 0, 0, 0);
-    CHECK_STATUS(pdn_model_add_viscous_damper(model, PDN_GROUND, body, NULL, matrix, &own),
-                 PDN_OK);
+    CHECK_STATUS(pdn_model_add_viscous_damper(model, PDN_GROUND, body, NULL, matrix, &own), PDN_OK);
     /* Axes turned by a quarter of a turn: global axis 1 is the opposite of axis 2 there. */
     CHECK_STATUS(pdn_model_add_viscous_damper(model, body, PDN_GROUND, &turned, matrix, &other),
                  PDN_OK);
-    CHECK(own == 0 && other == 1);
+    CHECK(own == FORCE(0) && other == FORCE(1));
     solve();
     CHECK_STATUS(
         pdn_solution_force_on_node(solution, own, body, PDN_FRAME_SPACE, times, TIMES, wrench),
@@ -359,8 +358,8 @@ static void a_law_is_the_users(void)
         for (i = 0; i < TIMES; i++) {
             double rate;
             const double u = response(MASS, DAMPING, STIFFNESS, FORCE, times[i], &rate);
-            CHECK_NEAR(effort[i],
-                       STIFFNESS * u + DAMPING * rate - FORCE * cos(OMEGA * times[i]), 1e-9);
+            CHECK_NEAR(effort[i], STIFFNESS * u + DAMPING * rate - FORCE * cos(OMEGA * times[i]),
+                       1e-9);
             along[i] = -effort[i];
         }
         check_on_body(force, along);
@@ -382,10 +381,10 @@ static void derivatives_of_a_law_are_checked(void)
                                               linear_law, &law, NULL, NULL),
                  PDN_OK);
     PDN_INIT(pdn_tangent_check, &check);
-    CHECK_STATUS(pdn_model_check_tangents(model, 0, PERIOD, &check), PDN_OK);
+    CHECK_STATUS(pdn_model_check_tangents(model, FORCE(0), PERIOD, &check), PDN_OK);
     CHECK(check.error < 1e-7 && check.row_node == -1 && check.column_node == -1);
     law.wrong = 3.0;
-    CHECK_STATUS(pdn_model_check_tangents(model, 0, PERIOD, &check), PDN_OK);
+    CHECK_STATUS(pdn_model_check_tangents(model, FORCE(0), PERIOD, &check), PDN_OK);
     CHECK(check.error > 0.02 && check.tangent == PDN_TANGENT_MOTION);
     CHECK_NEAR(check.given, 33.0, 1e-12);
     CHECK_NEAR(check.differenced, 30.0, 1e-5);
@@ -445,7 +444,7 @@ static void begin_two_nodes(struct law *law, int32_t tangents)
     CHECK_STATUS(pdn_model_add_user_force(model, nodes, 2, PDN_FRAME_SPACE, tangents, two_nodes,
                                           law, destroy, &force),
                  PDN_OK);
-    CHECK(force == 0);
+    CHECK(force == FORCE(0));
 }
 
 static void forces_on_two_nodes_are_the_users(void)
@@ -463,9 +462,9 @@ static void forces_on_two_nodes_are_the_users(void)
             const double u = response(MASS, DAMPING, STIFFNESS, FORCE, times[i], &rate);
             along[i] = FORCE * cos(OMEGA * times[i]) - STIFFNESS * u - DAMPING * rate;
         }
-        check_on_body(0, along);
-        CHECK_STATUS(pdn_solution_force_on_node(solution, 0, 1, PDN_FRAME_SPACE, times, TIMES,
-                                                wrench),
+        check_on_body(FORCE(0), along);
+        CHECK_STATUS(pdn_solution_force_on_node(solution, FORCE(0), NODE(1), PDN_FRAME_SPACE, times,
+                                                TIMES, wrench),
                      PDN_OK);
         for (i = 0; i < TIMES; i++)
             CHECK_NEAR(wrench[6 * i], -along[i] * AXIS[0], 1e-9);
@@ -482,14 +481,14 @@ static void tangents_on_nodes_are_checked(void)
     PDN_INIT(pdn_tangent_check, &check);
     /* Of moment 2 of the body by angular velocity 3 of the other node. */
     law.wrong = 100.0;
-    CHECK_STATUS(pdn_model_check_tangents(model, 0, PERIOD, &check), PDN_OK);
+    CHECK_STATUS(pdn_model_check_tangents(model, FORCE(0), PERIOD, &check), PDN_OK);
     CHECK(check.error > 0.1 && check.tangent == PDN_TANGENT_VELOCITY);
     CHECK(check.row_node == body && check.row_component == PDN_MOMENT_2);
-    CHECK(check.column_node == 1 && check.column_component == 5);
+    CHECK(check.column_node == NODE(1) && check.column_component == 5);
     CHECK_NEAR(check.given, 100.0, 1e-12);
     CHECK_NEAR(check.differenced, 0.0, 1e-6);
     law.wrong = 0.0;
-    CHECK_STATUS(pdn_model_check_tangents(model, 0, PERIOD, &check), PDN_OK);
+    CHECK_STATUS(pdn_model_check_tangents(model, FORCE(0), PERIOD, &check), PDN_OK);
     CHECK(check.error < 1e-7);
     pdn_model_free(model);
     CHECK(law.destroyed == 1);
@@ -527,10 +526,10 @@ static void moments_may_follow_a_node(void)
     CHECK_STATUS(pdn_solution_joint_coordinate(solution, joint, PDN_ROTATION, times, TIMES, angle),
                  PDN_OK);
     CHECK_STATUS(
-        pdn_solution_force_on_node(solution, 0, body, PDN_FRAME_MATERIAL, times, TIMES, own),
+        pdn_solution_force_on_node(solution, FORCE(0), body, PDN_FRAME_MATERIAL, times, TIMES, own),
         PDN_OK);
     CHECK_STATUS(
-        pdn_solution_force_on_node(solution, 0, body, PDN_FRAME_SPACE, times, TIMES, space),
+        pdn_solution_force_on_node(solution, FORCE(0), body, PDN_FRAME_SPACE, times, TIMES, space),
         PDN_OK);
     for (i = 0; i < TIMES; i++) {
         double rate, moment;

@@ -43,13 +43,12 @@ static int model_changed(void)
     REFUSES_EACH(variable, int32_t, ids, call, PDN_ERR_ID, name ": expected ")
 #define REFUSES_ENUMS(variable, call, name)                                                        \
     do {                                                                                           \
-        REFUSES_EACH(variable, int32_t, bad_enums, call, PDN_ERR_VALUE,                            \
-                     name ": expected ");                                                          \
+        REFUSES_EACH(variable, int32_t, bad_enums, call, PDN_ERR_VALUE, name ": expected ");       \
         REFUSES_OTHER_ROLES(variable, call, name ": expected ");                                   \
     } while (0)
 
-static const int32_t bad_ids[] = {-1, -2, 99, INT32_MAX, INT32_MIN};
-static const int32_t bad_bodies[] = {-2, 99, INT32_MAX, INT32_MIN};
+static const int32_t bad_ids[] = {-1, NO_IDS};
+static const int32_t bad_bodies[] = {NO_IDS};
 static const size_t too_many = (size_t)-1;
 
 static void destroy(void *user_data)
@@ -66,8 +65,8 @@ static double astray(int32_t wrong, double time)
     return wrong == RANDOM ? sin(calls) : wrong == DRIFTS ? time : 0;
 }
 
-static int32_t law(double time, double coordinate, double rate, double *effort,
-                   double *derivatives, void *user_data)
+static int32_t law(double time, double coordinate, double rate, double *effort, double *derivatives,
+                   void *user_data)
 {
     const int32_t wrong = *(const int32_t *)user_data;
     if (wrong == FAILS) {
@@ -139,12 +138,14 @@ static void set_up(void)
                  PDN_OK);
     in.nodes[0] = in.other;
     in.nodes[1] = in.node;
-    CHECK_STATUS(pdn_model_add_spring_damper(in.model, 0, PDN_ROTATION, 20, 1, 0, NULL), PDN_OK);
-    CHECK_STATUS(pdn_model_add_actuator(in.model, 0, PDN_ROTATION, &in.signal, NULL), PDN_OK);
-    CHECK_STATUS(pdn_model_add_viscoelastic(in.model, 0, PDN_ROTATION, 1, 0, in.branches,
+    CHECK_STATUS(pdn_model_add_spring_damper(in.model, JOINT(0), PDN_ROTATION, 20, 1, 0, NULL),
+                 PDN_OK);
+    CHECK_STATUS(pdn_model_add_actuator(in.model, JOINT(0), PDN_ROTATION, &in.signal, NULL),
+                 PDN_OK);
+    CHECK_STATUS(pdn_model_add_viscoelastic(in.model, JOINT(0), PDN_ROTATION, 1, 0, in.branches,
                                             in.relaxation, 2, NULL),
                  PDN_OK);
-    CHECK_STATUS(pdn_model_add_viscous_damper(in.model, 0, PDN_GROUND, NULL, in.matrix, NULL),
+    CHECK_STATUS(pdn_model_add_viscous_damper(in.model, NODE(0), PDN_GROUND, NULL, in.matrix, NULL),
                  PDN_OK);
     CHECK_STATUS(pdn_solve_periodic(in.model, PERIOD, defaults, &good), PDN_OK);
     CHECK(pdn_solution_outcome(good) == PDN_CONVERGED);
@@ -178,8 +179,8 @@ static void forces_on_coordinates(void)
     pdn_model_add_nonlinear_spring_damper(model, in.joint, in.coordinate, in.stiffness, 3,         \
                                           in.damping, 2, in.number, &out.id)
 #define SIZED(stiffness, count, damping, other)                                                    \
-    pdn_model_add_nonlinear_spring_damper(in.model, 0, in.coordinate, stiffness, count, damping,   \
-                                          other, 0, &out.id)
+    pdn_model_add_nonlinear_spring_damper(in.model, JOINT(0), in.coordinate, stiffness, count,     \
+                                          damping, other, 0, &out.id)
     REFUSES_BAD_PLACES;
     REFUSES_NULL(SIZED(NULL, 3, in.damping, 2), "stiffness");
     REFUSES_NULL(SIZED(in.stiffness, 3, NULL, 2), "damping");
@@ -201,7 +202,8 @@ static void forces_on_coordinates(void)
 
 #define WITH(model) pdn_model_add_actuator(model, in.joint, in.coordinate, &in.signal, &out.id)
     REFUSES_BAD_PLACES;
-    REFUSES_NULL(pdn_model_add_actuator(in.model, 0, in.coordinate, NULL, &out.id), "signal");
+    REFUSES_NULL(pdn_model_add_actuator(in.model, JOINT(0), in.coordinate, NULL, &out.id),
+                 "signal");
     REFUSES_EACH(in.signal.struct_size, size_t, bad_struct_sizes, WITH(in.model),
                  PDN_ERR_STRUCT_SIZE, "signal: expected struct_size ");
     REFUSES_ENUMS(in.signal.kind, WITH(in.model), "signal: kind");
@@ -214,7 +216,8 @@ static void forces_on_coordinates(void)
     pdn_model_add_viscoelastic(model, in.joint, in.coordinate, in.number, in.number, in.branches,  \
                                in.relaxation, 2, &out.id)
 #define SIZED(branches, times, count)                                                              \
-    pdn_model_add_viscoelastic(in.model, 0, in.coordinate, 1, 0, branches, times, count, &out.id)
+    pdn_model_add_viscoelastic(in.model, JOINT(0), in.coordinate, 1, 0, branches, times, count,    \
+                               &out.id)
     REFUSES_BAD_PLACES;
     REFUSES_NULL(SIZED(NULL, in.relaxation, 2), "branch_stiffness");
     REFUSES_NULL(SIZED(in.branches, NULL, 2), "relaxation_times");
@@ -222,7 +225,7 @@ static void forces_on_coordinates(void)
             "branch_stiffness: expected at most ");
     REFUSES_NOT_FINITE(in.number, WITH(in.model), "stiffness");
     REFUSES_NOT_FINITE(in.number,
-                       pdn_model_add_viscoelastic(in.model, 0, in.coordinate, 1, in.number,
+                       pdn_model_add_viscoelastic(in.model, JOINT(0), in.coordinate, 1, in.number,
                                                   in.branches, in.relaxation, 2, &out.id),
                        "rest");
     REFUSES_NOT_FINITE_ENTRIES(in.branches, 2, WITH(in.model), "branch_stiffness");
@@ -239,8 +242,8 @@ static void forces_on_coordinates(void)
                                  destroy, &out.id)
     REFUSES_BAD_PLACES;
     REFUSES_ENUMS(in.tangents, WITH(in.model), "tangents");
-    REFUSES_NULL(pdn_model_add_coordinate_law(in.model, 0, in.coordinate, in.tangents, NULL, NULL,
-                                              destroy, &out.id),
+    REFUSES_NULL(pdn_model_add_coordinate_law(in.model, JOINT(0), in.coordinate, in.tangents, NULL,
+                                              NULL, destroy, &out.id),
                  "function");
 #undef WITH
 }
@@ -323,8 +326,8 @@ static void laws_that_go_wrong(void)
         {NO_DERIVATIVE, "force 4: callback: expected a finite derivative by the rate at t = "},
     };
     size_t k;
-    CHECK_STATUS(pdn_model_add_coordinate_law(in.model, 0, PDN_ROTATION, PDN_TANGENTS_GIVEN, law,
-                                              &in.law_wrong, NULL, &in.force),
+    CHECK_STATUS(pdn_model_add_coordinate_law(in.model, JOINT(0), PDN_ROTATION, PDN_TANGENTS_GIVEN,
+                                              law, &in.law_wrong, NULL, &in.force),
                  PDN_OK);
     expected_forces = 5;
     for (k = 0; k < LENGTH(cases); k++) {
@@ -382,8 +385,8 @@ static void solves_with_forces_that_go_wrong(void)
         CHECK_STATUS(pdn_model_new(&in.model), PDN_OK);
         CHECK_STATUS(pdn_model_add_rigid_body(in.model, 1, origin, eye, &nodes[0]), PDN_OK);
         CHECK_STATUS(pdn_model_add_rigid_body(in.model, 1, origin, eye, &nodes[1]), PDN_OK);
-        CHECK_STATUS(
-            pdn_model_add_rigid_joint(in.model, PDN_GROUND, nodes[0], origin, &joint), PDN_OK);
+        CHECK_STATUS(pdn_model_add_rigid_joint(in.model, PDN_GROUND, nodes[0], origin, &joint),
+                     PDN_OK);
         CHECK_STATUS(pdn_model_add_user_force(in.model, nodes, 2, PDN_FRAME_SPACE, tangents[k],
                                               force, &in.wrong, NULL, NULL),
                      PDN_OK);
@@ -449,9 +452,8 @@ static void signals_that_go_wrong(void)
         else if (k == 1)
             CHECK_STATUS(pdn_model_prescribe(in.model, joint, PDN_ROTATION, &signal), PDN_OK);
         else
-            CHECK_STATUS(
-                pdn_model_add_load(in.model, node, PDN_FRAME_SPACE, PDN_MOMENT_3, &signal),
-                PDN_OK);
+            CHECK_STATUS(pdn_model_add_load(in.model, node, PDN_FRAME_SPACE, PDN_MOMENT_3, &signal),
+                         PDN_OK);
         expected_forces = k == 0;
         REFUSED(SOLVE, PDN_ERR_CALLBACK, messages[k]);
         pdn_model_free(in.model);
@@ -476,18 +478,19 @@ static void checks_of_tangents(void)
         CHECK_MESSAGE("struct_size: expected between");
         CHECK(check.reserved == 0x5a5a5a5a && check.tangent == 0x5a5a5a5a);
     }
-    REFUSES_NULL(pdn_model_check_tangents(NULL, 4, PERIOD, &in.check), "model");
-    REFUSES_NULL(pdn_model_check_tangents(in.model, 4, PERIOD, NULL), "check");
+    REFUSES_NULL(pdn_model_check_tangents(NULL, FORCE(4), PERIOD, &in.check), "model");
+    REFUSES_NULL(pdn_model_check_tangents(in.model, FORCE(4), PERIOD, NULL), "check");
     REFUSES_IDS(in.force, bad_ids, CHECK_TANGENTS, "force");
     REFUSES_NOT_FINITE(in.period, CHECK_TANGENTS, "period");
     REFUSES_EACH(in.period, double, not_positive, CHECK_TANGENTS, PDN_ERR_VALUE, "period: ");
     REFUSES_EACH(in.check.struct_size, size_t, bad_struct_sizes, CHECK_TANGENTS,
                  PDN_ERR_STRUCT_SIZE, "check: expected struct_size ");
     force_id = in.force;
-    for (in.force = 0; in.force < 4; in.force++)
+    for (in.force = FORCE(0); in.force < FORCE(4); in.force++)
         REFUSED(CHECK_TANGENTS, PDN_ERR_NOT_AVAILABLE, "force ");
-    CHECK_STATUS(pdn_model_add_coordinate_law(in.model, 0, PDN_ROTATION, PDN_TANGENTS_DIFFERENCED,
-                                              law, &in.wrong, NULL, &in.force),
+    CHECK_STATUS(pdn_model_add_coordinate_law(in.model, JOINT(0), PDN_ROTATION,
+                                              PDN_TANGENTS_DIFFERENCED, law, &in.wrong, NULL,
+                                              &in.force),
                  PDN_OK);
     expected_forces++;
     REFUSED(CHECK_TANGENTS, PDN_ERR_NOT_AVAILABLE,
@@ -515,37 +518,38 @@ static void readings(void)
         REFUSES_IDS(in.force, bad_ids, WITH(good, t, 2, out.values), "force");                     \
         REFUSED(WITH(good, t, too_many, out.values), PDN_ERR_SIZE, "times: expected at most ");    \
     } while (0)
-    in.force = 0;
+    in.force = FORCE(0);
     REFUSES_BAD_SAMPLES;
-    in.force = 3; /* on no coordinate */
+    in.force = FORCE(3); /* on no coordinate */
     REFUSED(WITH(good, t, 2, out.values), PDN_ERR_NOT_AVAILABLE, "");
 #undef WITH
 
 #define WITH(solution, times, count, values)                                                       \
     pdn_solution_force_branch_effort(solution, in.force, in.place, times, count, values)
-    in.force = 2;
+    in.force = FORCE(2);
     REFUSES_BAD_SAMPLES;
     REFUSES_IDS(in.place, negative, WITH(good, t, 2, out.values), "branch");
     REFUSES_EACH(in.place, int32_t, absent, WITH(good, t, 2, out.values), PDN_ERR_NOT_AVAILABLE,
                  "branch: force 2 has 2 Maxwell branches, got ");
-    in.force = 0;
+    in.force = FORCE(0);
     REFUSED(WITH(good, t, 2, out.values), PDN_ERR_NOT_AVAILABLE, "");
 #undef WITH
 
 #define WITH(solution, times, count, values)                                                       \
     pdn_solution_force_branch_elongation(solution, in.force, in.place, times, count, values)
-    in.force = 2;
+    in.force = FORCE(2);
     REFUSES_BAD_SAMPLES;
     REFUSES_IDS(in.place, negative, WITH(good, t, 2, out.values), "branch");
     REFUSES_EACH(in.place, int32_t, absent, WITH(good, t, 2, out.values), PDN_ERR_NOT_AVAILABLE,
                  "branch: force 2 has 2 Maxwell branches, got ");
-    in.force = 1;
+    in.force = FORCE(1);
     REFUSED(WITH(good, t, 2, out.values), PDN_ERR_NOT_AVAILABLE, "");
 #undef WITH
 
 #define WITH(solution, times, count, values)                                                       \
     pdn_solution_force_on_node(solution, in.force, in.place, in.axes, times, count, values)
-    in.force = 0;
+    in.force = FORCE(0);
+    in.place = in.node;
     REFUSES_BAD_SAMPLES;
     REFUSES_IDS(in.place, bad_ids, WITH(good, t, 2, out.values), "node");
     REFUSES_ENUMS(in.axes, WITH(good, t, 2, out.values), "frame");
@@ -566,7 +570,7 @@ static void readings(void)
     in.place = 1;
     REFUSED(WITH(good, 1), PDN_ERR_VALUE, "detail: expected zero");
     in.coordinate = PDN_FORCE_BRANCH_EFFORT;
-    in.force = 2;
+    in.force = FORCE(2);
     REFUSES_IDS(in.place, negative, WITH(good, 1), "detail");
     REFUSES_EACH(in.place, int32_t, absent, WITH(good, 1), PDN_ERR_NOT_AVAILABLE, "branch: ");
     in.coordinate = PDN_FORCE_ON_NODE;

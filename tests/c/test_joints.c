@@ -12,16 +12,16 @@ enum { FEW = 7, POINTS = 29, MANY = 61 };
 
 /* The joint's point, where the body has its centre; its axis, and two directions across. */
 static const double POINT[3] = {0.3, -0.2, 0.5};
-static const double AXES[9] = {2. / 3, -2. / 3, 1. / 3, 2. / 3, 1. / 3, -2. / 3,
-                               1. / 3, 2. / 3,  2. / 3};
+static const double AXES[9] = {2. / 3,  -2. / 3, 1. / 3, 2. / 3, 1. / 3,
+                               -2. / 3, 1. / 3,  2. / 3, 2. / 3};
 static const double *const ACROSS_1 = AXES, *const ACROSS_2 = AXES + 3, *const AXIS = AXES + 6;
 static const double MASS = 2.5, INERTIA = 0.4, GRAVITY[3] = {1, -3, -9};
 static const double PITCH = -0.3;
 
 /* Times before, inside and after the period. */
-static const double times[TIMES] = {-2.3 * PERIOD, -0.31 * PERIOD, 0.0,
-                                    0.123 * PERIOD, 0.31 * PERIOD, 0.5 * PERIOD,
-                                    0.9 * PERIOD,  1.77 * PERIOD,  12.4 * PERIOD};
+static const double times[TIMES] = {-2.3 * PERIOD,  -0.31 * PERIOD, 0.0,
+                                    0.123 * PERIOD, 0.31 * PERIOD,  0.5 * PERIOD,
+                                    0.9 * PERIOD,   1.77 * PERIOD,  12.4 * PERIOD};
 
 /* mean + rate t + cosine cos wt + sine sin wt, and its first two derivatives. */
 struct wave {
@@ -132,9 +132,9 @@ static void driving_effort(int32_t coordinate, double *effort)
 
 static void reaction(double *wrench)
 {
-    CHECK_STATUS(pdn_solution_joint_reaction(rig.solution, rig.joint, PDN_FRAME_SPACE, times, TIMES,
-                                             wrench),
-                 PDN_OK);
+    CHECK_STATUS(
+        pdn_solution_joint_reaction(rig.solution, rig.joint, PDN_FRAME_SPACE, times, TIMES, wrench),
+        PDN_OK);
 }
 
 static void position(double *at)
@@ -182,8 +182,8 @@ static void a_revolute_turns(void)
     double drive[TIMES], wrench[6 * TIMES], at[3 * TIMES];
     int i;
     begin();
-    CHECK_STATUS(
-        pdn_model_add_revolute(rig.model, PDN_GROUND, rig.body, POINT, AXIS, &rig.joint), PDN_OK);
+    CHECK_STATUS(pdn_model_add_revolute(rig.model, PDN_GROUND, rig.body, POINT, AXIS, &rig.joint),
+                 PDN_OK);
     prescribe(PDN_ROTATION, TURNING);
     solve();
     check_wave(PDN_ROTATION, TURNING);
@@ -203,8 +203,8 @@ static void a_prismatic_slides(void)
     double drive[TIMES], wrench[6 * TIMES], at[3 * TIMES];
     int i;
     begin();
-    CHECK_STATUS(
-        pdn_model_add_prismatic(rig.model, PDN_GROUND, rig.body, POINT, AXIS, &rig.joint), PDN_OK);
+    CHECK_STATUS(pdn_model_add_prismatic(rig.model, PDN_GROUND, rig.body, POINT, AXIS, &rig.joint),
+                 PDN_OK);
     prescribe(PDN_DISPLACEMENT, SHIFT);
     solve();
     check_wave(PDN_DISPLACEMENT, SHIFT);
@@ -382,9 +382,9 @@ static void check_power_of_angles(int count)
                                              TIMES, speed[k]),
                      PDN_OK);
     }
-    CHECK_STATUS(pdn_solution_node_velocity(rig.solution, rig.body, PDN_FRAME_SPACE, times, TIMES,
-                                            velocity),
-                 PDN_OK);
+    CHECK_STATUS(
+        pdn_solution_node_velocity(rig.solution, rig.body, PDN_FRAME_SPACE, times, TIMES, velocity),
+        PDN_OK);
     CHECK_STATUS(pdn_solution_node_acceleration(rig.solution, rig.body, PDN_FRAME_SPACE, times,
                                                 TIMES, gained),
                  PDN_OK);
@@ -402,8 +402,8 @@ static void a_universal_turns_about_two_arms(void)
     double wrench[6 * TIMES], rotation[9 * TIMES];
     int i, k;
     begin();
-    CHECK_STATUS(pdn_model_add_universal(rig.model, PDN_GROUND, rig.body, POINT, ACROSS_1,
-                                         ACROSS_2, &rig.joint),
+    CHECK_STATUS(pdn_model_add_universal(rig.model, PDN_GROUND, rig.body, POINT, ACROSS_1, ACROSS_2,
+                                         &rig.joint),
                  PDN_OK);
     prescribe(PDN_ROTATION, TURN);
     prescribe(PDN_ROTATION_2, b);
@@ -524,21 +524,21 @@ static void a_strut_moves_a_slider(void)
         foot[k] = POINT[k] - start * AXIS[k] + height * ACROSS_1[k];
     CHECK_STATUS(pdn_model_add_prismatic(rig.model, PDN_GROUND, rig.body, POINT, AXIS, &slider),
                  PDN_OK);
-    CHECK_STATUS(
-        pdn_model_add_strut(rig.model, PDN_GROUND, rig.body, foot, POINT, &rig.joint), PDN_OK);
-    CHECK(slider == 0 && rig.joint == 1);
+    CHECK_STATUS(pdn_model_add_strut(rig.model, PDN_GROUND, rig.body, foot, POINT, &rig.joint),
+                 PDN_OK);
+    CHECK(slider == JOINT(0) && rig.joint == JOINT(1));
     prescribe(PDN_DISPLACEMENT, length);
     solve_on(MANY); /* its motion is not band-limited */
     check_wave(PDN_DISPLACEMENT, length);
     check_absent(PDN_ROTATION);
     driving_effort(PDN_DISPLACEMENT, drive);
     reaction(wrench);
-    CHECK_STATUS(pdn_solution_joint_coordinate(rig.solution, slider, PDN_DISPLACEMENT, times,
-                                               TIMES, x),
-                 PDN_OK);
-    CHECK_STATUS(pdn_solution_joint_reaction(rig.solution, slider, PDN_FRAME_SPACE, times, TIMES,
-                                             hold),
-                 PDN_OK);
+    CHECK_STATUS(
+        pdn_solution_joint_coordinate(rig.solution, slider, PDN_DISPLACEMENT, times, TIMES, x),
+        PDN_OK);
+    CHECK_STATUS(
+        pdn_solution_joint_reaction(rig.solution, slider, PDN_FRAME_SPACE, times, TIMES, hold),
+        PDN_OK);
     for (i = 0; i < TIMES; i++) {
         const double t = times[i], l = value(length, t), v = rate(length, t);
         const double reach = sqrt(l * l - height * height);
@@ -670,9 +670,9 @@ static void reactions_are_resolved_in_either_frame(void)
     prescribe(PDN_ROTATION, TURNING);
     solve();
     reaction(space);
-    CHECK_STATUS(pdn_solution_joint_reaction(rig.solution, rig.joint, PDN_FRAME_FIRST, times, TIMES,
-                                             first),
-                 PDN_OK);
+    CHECK_STATUS(
+        pdn_solution_joint_reaction(rig.solution, rig.joint, PDN_FRAME_FIRST, times, TIMES, first),
+        PDN_OK);
     CHECK_STATUS(pdn_solution_joint_reaction(rig.solution, rig.joint, PDN_FRAME_SECOND, times,
                                              TIMES, second),
                  PDN_OK);

@@ -41,7 +41,7 @@ static int model_changed(void)
 
 #define REFUSES_NULL(call, name) REFUSED(call, PDN_ERR_NULL, name ": expected a pointer, got NULL")
 
-static const int32_t bad_bodies[] = {-2, 99, INT32_MAX, INT32_MIN};
+static const int32_t bad_bodies[] = {NO_IDS};
 static const double no_pitch[] = {0.0, -0.0};
 
 #define REFUSES_BAD_BODIES(call)                                                                   \
@@ -110,22 +110,24 @@ static void joints(void)
 #undef CALL
 
 #define CALL pdn_model_add_free_joint(in.model, in.node, in.other, in.point, &out.id)
-    REFUSES_NULL(pdn_model_add_free_joint(NULL, 0, 1, in.point, &out.id), "model");
-    REFUSES_NULL(pdn_model_add_free_joint(in.model, 0, 1, NULL, &out.id), "point");
-    REFUSES_NULL(pdn_model_add_free_joint(in.model, 0, 1, in.point, NULL), "joint");
+    REFUSES_NULL(pdn_model_add_free_joint(NULL, NODE(0), NODE(1), in.point, &out.id), "model");
+    REFUSES_NULL(pdn_model_add_free_joint(in.model, NODE(0), NODE(1), NULL, &out.id), "point");
+    REFUSES_NULL(pdn_model_add_free_joint(in.model, NODE(0), NODE(1), in.point, NULL), "joint");
     REFUSES_NOT_FINITE_ENTRIES(in.point, 3, CALL, "point");
     REFUSES_BAD_BODIES(CALL);
 #undef CALL
 
 #define CALL pdn_model_add_strut(in.model, in.node, in.other, in.point, in.end, &out.id)
-    REFUSES_NULL(pdn_model_add_strut(NULL, 0, 1, in.point, in.end, &out.id), "model");
-    REFUSES_NULL(pdn_model_add_strut(in.model, 0, 1, NULL, in.end, &out.id), "first_point");
-    REFUSES_NULL(pdn_model_add_strut(in.model, 0, 1, in.point, NULL, &out.id), "second_point");
-    REFUSES_NULL(pdn_model_add_strut(in.model, 0, 1, in.point, in.end, NULL), "joint");
+    REFUSES_NULL(pdn_model_add_strut(NULL, NODE(0), NODE(1), in.point, in.end, &out.id), "model");
+    REFUSES_NULL(pdn_model_add_strut(in.model, NODE(0), NODE(1), NULL, in.end, &out.id),
+                 "first_point");
+    REFUSES_NULL(pdn_model_add_strut(in.model, NODE(0), NODE(1), in.point, NULL, &out.id),
+                 "second_point");
+    REFUSES_NULL(pdn_model_add_strut(in.model, NODE(0), NODE(1), in.point, in.end, NULL), "joint");
     REFUSES_NOT_FINITE_ENTRIES(in.point, 3, CALL, "first_point");
     REFUSES_NOT_FINITE_ENTRIES(in.end, 3, CALL, "second_point");
     REFUSES_BAD_BODIES(CALL);
-    REFUSED(pdn_model_add_strut(in.model, 0, 1, in.end, in.end, &out.id), PDN_ERR_VALUE,
+    REFUSED(pdn_model_add_strut(in.model, NODE(0), NODE(1), in.end, in.end, &out.id), PDN_ERR_VALUE,
             "second_point: expected a point away from first_point");
 #undef CALL
 
@@ -218,8 +220,8 @@ static void drives_that_do_not_repeat_are_named(void)
             PDN_OK);
         CHECK_STATUS(pdn_model_prescribe(in.model, joint, drives[k].coordinate, &signal), PDN_OK);
         summarise(&expected);
-        REFUSED(pdn_solve_periodic(in.model, PERIOD, &options, &out.solution),
-                PDN_ERR_NOT_PERIODIC, drives[k].message);
+        REFUSED(pdn_solve_periodic(in.model, PERIOD, &options, &out.solution), PDN_ERR_NOT_PERIODIC,
+                drives[k].message);
         pdn_model_free(in.model);
     }
     /* The angle of a screw gains no turns: its displacement would not come back. */
@@ -232,8 +234,8 @@ static void drives_that_do_not_repeat_are_named(void)
             PDN_OK);
         CHECK_STATUS(pdn_model_prescribe(in.model, joint, PDN_ROTATION, &signal), PDN_OK);
         summarise(&expected);
-        REFUSED(pdn_solve_periodic(in.model, PERIOD, &options, &out.solution),
-                PDN_ERR_NOT_PERIODIC, "prescribed rotation 1 of joint 0: the signal grows by 6.28");
+        REFUSED(pdn_solve_periodic(in.model, PERIOD, &options, &out.solution), PDN_ERR_NOT_PERIODIC,
+                "prescribed rotation 1 of joint 0: the signal grows by 6.28");
         pdn_model_free(in.model);
     }
     in.model = saved;
@@ -254,7 +256,7 @@ static void a_locked_mechanism_is_named(void)
                  PDN_OK);
     PDN_INIT(pdn_signal, &signal);
     CHECK_STATUS(pdn_signal_set_harmonics(&signal, 0, 0, &one, &none, 1), PDN_OK);
-    CHECK_STATUS(pdn_model_prescribe(model, 0, PDN_DISPLACEMENT, &signal), PDN_OK);
+    CHECK_STATUS(pdn_model_prescribe(model, JOINT(0), PDN_DISPLACEMENT, &signal), PDN_OK);
     CHECK(outcome_of(model, "locked: prescribed coordinate 0 cannot move as prescribed, since "
                             "joints 0, 1 leave no freedom") == PDN_INCONSISTENT);
     pdn_model_free(model);
@@ -275,20 +277,22 @@ static void a_joint_turned_over_is_named(void)
         int32_t body, joint;
         char text[80];
         pdn_model *model = body_on(&body);
-        CHECK_STATUS(pdn_model_add_joint(model, kinds[k], PDN_GROUND, body, &in.frame, &over,
-                                         &joint),
-                     PDN_OK);
+        CHECK_STATUS(
+            pdn_model_add_joint(model, kinds[k], PDN_GROUND, body, &in.frame, &over, &joint),
+            PDN_OK);
         if (kinds[k] == PDN_JOINT_REVOLUTE || kinds[k] == PDN_JOINT_CYLINDRICAL ||
             kinds[k] == PDN_JOINT_PLANAR)
-            CHECK_STATUS(pdn_model_add_spring_damper(model, 0, PDN_ROTATION, 50, 1, 0, NULL),
+            CHECK_STATUS(pdn_model_add_spring_damper(model, JOINT(0), PDN_ROTATION, 50, 1, 0, NULL),
                          PDN_OK);
         if (kinds[k] == PDN_JOINT_PRISMATIC || kinds[k] == PDN_JOINT_CYLINDRICAL ||
             kinds[k] == PDN_JOINT_PLANAR)
-            CHECK_STATUS(pdn_model_add_spring_damper(model, 0, PDN_DISPLACEMENT, 50, 1, 0, NULL),
-                         PDN_OK);
+            CHECK_STATUS(
+                pdn_model_add_spring_damper(model, JOINT(0), PDN_DISPLACEMENT, 50, 1, 0, NULL),
+                PDN_OK);
         if (kinds[k] == PDN_JOINT_PLANAR)
-            CHECK_STATUS(pdn_model_add_spring_damper(model, 0, PDN_DISPLACEMENT_2, 50, 1, 0, NULL),
-                         PDN_OK);
+            CHECK_STATUS(
+                pdn_model_add_spring_damper(model, JOINT(0), PDN_DISPLACEMENT_2, 50, 1, 0, NULL),
+                PDN_OK);
         snprintf(text, sizeof text, "%s has closed turned over", names[k]);
         CHECK(outcome_of(model, text) == PDN_WRONG_ASSEMBLY);
         pdn_model_free(model);
@@ -303,8 +307,8 @@ static void a_strut_without_length_is_named(void)
     pdn_signal signal;
     int32_t body, slider, strut;
     in.model = body_on(&body);
-    CHECK_STATUS(
-        pdn_model_add_prismatic(in.model, PDN_GROUND, body, in.point, in.axis, &slider), PDN_OK);
+    CHECK_STATUS(pdn_model_add_prismatic(in.model, PDN_GROUND, body, in.point, in.axis, &slider),
+                 PDN_OK);
     /* From below the body, which is driven down to there. */
     in.end[1] = 0;
     in.end[2] = -0.25;
@@ -341,9 +345,9 @@ int main(void)
     a_strut_without_length_is_named();
     /* The tables above were gone through. */
     CHECK(refusals >= 280);
-    CHECK_STATUS(pdn_model_add_screw(in.model, in.node, in.other, in.point, in.axis, in.pitch,
-                                     &out.id),
-                 PDN_OK);
+    CHECK_STATUS(
+        pdn_model_add_screw(in.model, in.node, in.other, in.point, in.axis, in.pitch, &out.id),
+        PDN_OK);
     pdn_model_free(in.model);
     printf("%d refusals\n", refusals);
     return 0;

@@ -176,12 +176,15 @@ static void spatial_mechanism(void)
     pdn_model_free(heavy);
 
     CHECK_STATUS(pdn_model_add_straight_beam(model, A, B, i2, &section, 8, 1, &rocker), PDN_OK);
-    CHECK(rocker.first == 0 && rocker.last == 8 && rocker.first_element == 0);
+    CHECK(rocker.first == NODE(0) && rocker.last == NODE(8) &&
+          rocker.first_element == BEAM_ELEMENT(0));
     CHECK(rocker.elements == 8 && rocker.reserved[0] == 0 && rocker.reserved[3] == 0);
     CHECK_STATUS(pdn_model_add_straight_beam(model, B, C, i1, &section, 3, 3, &coupler), PDN_OK);
-    CHECK(coupler.first == 9 && coupler.last == 18 && coupler.first_element == 8);
+    CHECK(coupler.first == NODE(9) && coupler.last == NODE(18) &&
+          coupler.first_element == BEAM_ELEMENT(8));
     CHECK_STATUS(pdn_model_add_straight_beam(model, C, D, i1, &section, 1, 6, &crank), PDN_OK);
-    CHECK(crank.first == 19 && crank.last == 25 && crank.first_element == 11);
+    CHECK(crank.first == NODE(19) && crank.last == NODE(25) &&
+          crank.first_element == BEAM_ELEMENT(11));
     CHECK(nodes(model) == 26 && elements(model) == 12);
 
     /* Frames: axis 1 along the beam, axis 2 as asked, the last node at the end. */
@@ -220,18 +223,17 @@ static void spatial_mechanism(void)
     /* Joints of each kind. */
     CHECK_STATUS(pdn_model_add_revolute(model, PDN_GROUND, rocker.first, A, i2, &hinge_A), PDN_OK);
     CHECK_STATUS(pdn_model_add_spherical(model, rocker.last, coupler.first, B, &ball_B), PDN_OK);
-    CHECK_STATUS(
-        pdn_model_add_universal(model, coupler.last, crank.first, C, arm, i1, &cardan_C),
-        PDN_OK);
+    CHECK_STATUS(pdn_model_add_universal(model, coupler.last, crank.first, C, arm, i1, &cardan_C),
+                 PDN_OK);
     CHECK_STATUS(pdn_model_add_revolute(model, PDN_GROUND, crank.last, D, i1, &motor_D), PDN_OK);
-    CHECK(hinge_A == 0 && ball_B == 1 && cardan_C == 2 && motor_D == 3);
+    CHECK(hinge_A == JOINT(0) && ball_B == JOINT(1) && cardan_C == JOINT(2) && motor_D == JOINT(3));
 
     /* A rigid flywheel on the crank, an eccentric mass and an inertia on the rocker. */
-    CHECK_STATUS(
-        pdn_model_add_rigid_body(model, 2.0, flywheel_centre, flywheel_inertia, &flywheel), PDN_OK);
-    CHECK(flywheel == 26);
+    CHECK_STATUS(pdn_model_add_rigid_body(model, 2.0, flywheel_centre, flywheel_inertia, &flywheel),
+                 PDN_OK);
+    CHECK(flywheel == NODE(26));
     CHECK_STATUS(pdn_model_add_rigid_joint(model, crank.last, flywheel, D, &wheel_joint), PDN_OK);
-    CHECK(wheel_joint == 4);
+    CHECK(wheel_joint == JOINT(4));
     CHECK_STATUS(pdn_model_add_mass(model, rocker.last, 0.5, tool_centre, flywheel_inertia),
                  PDN_OK);
     CHECK_STATUS(pdn_model_add_mass(model, rocker.last, 0.25, tool_centre, NULL), PDN_OK);
@@ -259,7 +261,7 @@ static void spatial_mechanism(void)
     /* A node of its own axes, fixed by a joint whose frames are apart until the solver
      * closes it. */
     CHECK_STATUS(pdn_model_add_node(model, tool_centre, turned, &tool), PDN_OK);
-    CHECK(tool == 27);
+    CHECK(tool == NODE(27));
     CHECK_STATUS(pdn_model_node_frame(model, tool, &other), PDN_OK);
     for (i = 0; i < 9; i++)
         CHECK(near(other.rotation[i], turned[i]) &&
@@ -275,23 +277,23 @@ static void spatial_mechanism(void)
     for (i = 0; i < 3; i++) {
         const double angle = 0.2 * (i - 1);
         const double position[3] = {sin(angle), 0.0, 2.0 - cos(angle)};
-        const double axes[9] = {cos(angle),  0.0, sin(angle), 0.0, 1.0, 0.0,
-                                -sin(angle), 0.0, cos(angle)};
+        const double axes[9] = {cos(angle), 0.0,         sin(angle), 0.0,       1.0,
+                                0.0,        -sin(angle), 0.0,        cos(angle)};
         CHECK_STATUS(pdn_model_add_node(model, position, axes, &strut[i]), PDN_OK);
     }
     CHECK_STATUS(pdn_model_add_beam_element(model, strut, 3, &section, &element), PDN_OK);
-    CHECK(element == 12 && elements(model) == 13);
+    CHECK(element == BEAM_ELEMENT(12) && elements(model) == 13);
     CHECK_STATUS(pdn_model_node_frame(model, strut[0], &frame), PDN_OK);
-    CHECK_STATUS(pdn_model_add_joint(model, PDN_JOINT_REVOLUTE, tool, strut[0], &frame, &frame,
-                                     &free_joint),
-                 PDN_OK);
+    CHECK_STATUS(
+        pdn_model_add_joint(model, PDN_JOINT_REVOLUTE, tool, strut[0], &frame, &frame, &free_joint),
+        PDN_OK);
     CHECK_STATUS(pdn_model_add_joint(model, PDN_JOINT_UNIVERSAL, PDN_GROUND, strut[1], &frame,
                                      &other, &free_joint),
                  PDN_OK);
     CHECK_STATUS(pdn_model_add_joint(model, PDN_JOINT_SPHERICAL, strut[2], PDN_GROUND, &frame,
                                      &other, &free_joint),
                  PDN_OK);
-    CHECK(free_joint == 8 && joints(model) == 9);
+    CHECK(free_joint == JOINT(8) && joints(model) == 9);
 
     /* Springs, drives, loads. */
     CHECK_STATUS(pdn_model_add_spring_damper(model, hinge_A, PDN_ROTATION, 18.0, 0.1, 0.2, NULL),
@@ -306,11 +308,11 @@ static void spatial_mechanism(void)
     CHECK_STATUS(pdn_signal_set_harmonics(&signal, 0.4, 0.3, cosines, sines, 3), PDN_OK);
     CHECK_STATUS(pdn_model_prescribe(model, motor_D, PDN_ROTATION, &signal), PDN_OK);
     CHECK_STATUS(pdn_signal_set_samples(&signal, 0.0, samples, 4), PDN_OK);
-    CHECK_STATUS(
-        pdn_model_add_load(model, rocker.last, PDN_FRAME_SPACE, PDN_FORCE_1, &signal), PDN_OK);
+    CHECK_STATUS(pdn_model_add_load(model, rocker.last, PDN_FRAME_SPACE, PDN_FORCE_1, &signal),
+                 PDN_OK);
     CHECK_STATUS(pdn_signal_set_function(&signal, ramp, &slope), PDN_OK);
-    CHECK_STATUS(
-        pdn_model_add_load(model, flywheel, PDN_FRAME_MATERIAL, PDN_MOMENT_3, &signal), PDN_OK);
+    CHECK_STATUS(pdn_model_add_load(model, flywheel, PDN_FRAME_MATERIAL, PDN_MOMENT_3, &signal),
+                 PDN_OK);
     CHECK_STATUS(pdn_signal_set_constant(&signal, 2.0 * pi), PDN_OK);
     for (i = PDN_FORCE_1; i <= PDN_MOMENT_3; i++)
         CHECK_STATUS(pdn_model_add_load(model, tool, PDN_FRAME_SPACE, i, &signal), PDN_OK);

@@ -64,16 +64,15 @@ static int model_changed(void)
 /* The call with NULL for the argument `name`. */
 #define REFUSES_NULL(call, name) REFUSED(call, PDN_ERR_NULL, name ": expected a pointer, got NULL")
 
-static const int32_t bad_ids[] = {-1, -2, 99, INT32_MAX, INT32_MIN};
-static const int32_t bad_bodies[] = {-2, 99, INT32_MAX, INT32_MIN};
+static const int32_t bad_ids[] = {-1, NO_IDS};
+static const int32_t bad_bodies[] = {NO_IDS};
 static const size_t bad_struct_sizes[] = {0, 7, 8, 80, 5000, (size_t)-1};
 
 #define REFUSES_IDS(variable, ids, call, name)                                                     \
     REFUSES_EACH(variable, int32_t, ids, call, PDN_ERR_ID, name ": expected ")
 #define REFUSES_ENUMS(variable, call, name)                                                        \
     do {                                                                                           \
-        REFUSES_EACH(variable, int32_t, bad_enums, call, PDN_ERR_VALUE,                            \
-                     name ": expected ");                                                          \
+        REFUSES_EACH(variable, int32_t, bad_enums, call, PDN_ERR_VALUE, name ": expected ");       \
         REFUSES_OTHER_ROLES(variable, call, name ": expected ");                                   \
     } while (0)
 #define REFUSES_STRUCT_SIZES(variable, call, name)                                                 \
@@ -198,7 +197,7 @@ static void set_up(void)
         PDN_OK);
     CHECK_STATUS(pdn_model_add_rigid_joint(in.model, in.node, in.other, in.point, &in.rigid),
                  PDN_OK);
-    CHECK(in.joint == 0 && in.rigid == 1);
+    CHECK(in.joint == JOINT(0) && in.rigid == JOINT(1));
     summarise(&expected);
     CHECK(expected.nodes == 3 && expected.joints == 2 && expected.elements == 2);
 }
@@ -266,8 +265,7 @@ static void damping_by_component(void)
     CHECK_STATUS(pdn_section_set_component_damping(&section, times), PDN_OK);
     CHECK(section.damping[3 + 6 * 4] == 2e-5 * 20 && section.damping[4 + 6 * 3] == 1.4e-5 * 20);
     CHECK(section.damping[0] == 1e-5 * section.stiffness[0]);
-    REFUSED(pdn_section_set_component_damping(&section, wild), PDN_ERR_VALUE,
-            "section damping: ");
+    REFUSED(pdn_section_set_component_damping(&section, wild), PDN_ERR_VALUE, "section damping: ");
     CHECK(section.damping[3 + 6 * 4] == 2e-5 * 20);
 }
 
@@ -485,9 +483,9 @@ static void joints(void)
     const int32_t ground = PDN_GROUND;
 
 #define CALL pdn_model_add_rigid_joint(in.model, in.node, in.other, in.point, &out.id)
-    REFUSES_NULL(pdn_model_add_rigid_joint(NULL, 0, 1, in.point, &out.id), "model");
-    REFUSES_NULL(pdn_model_add_rigid_joint(model, 0, 1, NULL, &out.id), "point");
-    REFUSES_NULL(pdn_model_add_rigid_joint(model, 0, 1, in.point, NULL), "joint");
+    REFUSES_NULL(pdn_model_add_rigid_joint(NULL, NODE(0), NODE(1), in.point, &out.id), "model");
+    REFUSES_NULL(pdn_model_add_rigid_joint(model, NODE(0), NODE(1), NULL, &out.id), "point");
+    REFUSES_NULL(pdn_model_add_rigid_joint(model, NODE(0), NODE(1), in.point, NULL), "joint");
     REFUSES_NOT_FINITE_ENTRIES(in.point, LENGTH(in.point), CALL, "point");
     REFUSES_BAD_BODIES(CALL);
     REFUSED(pdn_model_add_rigid_joint(model, ground, ground, in.point, &out.id), PDN_ERR_VALUE,
@@ -495,21 +493,22 @@ static void joints(void)
 #undef CALL
 
 #define CALL pdn_model_add_revolute(in.model, in.node, in.other, in.point, in.axis, &out.id)
-    REFUSES_NULL(pdn_model_add_revolute(NULL, 0, 1, in.point, in.axis, &out.id), "model");
-    REFUSES_NULL(pdn_model_add_revolute(model, 0, 1, NULL, in.axis, &out.id), "point");
-    REFUSES_NULL(pdn_model_add_revolute(model, 0, 1, in.point, NULL, &out.id), "axis");
-    REFUSES_NULL(pdn_model_add_revolute(model, 0, 1, in.point, in.axis, NULL), "joint");
+    REFUSES_NULL(pdn_model_add_revolute(NULL, NODE(0), NODE(1), in.point, in.axis, &out.id),
+                 "model");
+    REFUSES_NULL(pdn_model_add_revolute(model, NODE(0), NODE(1), NULL, in.axis, &out.id), "point");
+    REFUSES_NULL(pdn_model_add_revolute(model, NODE(0), NODE(1), in.point, NULL, &out.id), "axis");
+    REFUSES_NULL(pdn_model_add_revolute(model, NODE(0), NODE(1), in.point, in.axis, NULL), "joint");
     REFUSES_NOT_FINITE_ENTRIES(in.point, LENGTH(in.point), CALL, "point");
     REFUSES_NOT_FINITE_ENTRIES(in.axis, LENGTH(in.axis), CALL, "axis");
     REFUSES_BAD_BODIES(CALL);
-    REFUSED(pdn_model_add_revolute(model, 0, 1, in.point, zero, &out.id), PDN_ERR_VALUE,
+    REFUSED(pdn_model_add_revolute(model, NODE(0), NODE(1), in.point, zero, &out.id), PDN_ERR_VALUE,
             "axis: expected a vector that is not zero");
 #undef CALL
 
 #define CALL pdn_model_add_spherical(in.model, in.node, in.other, in.point, &out.id)
-    REFUSES_NULL(pdn_model_add_spherical(NULL, 0, 1, in.point, &out.id), "model");
-    REFUSES_NULL(pdn_model_add_spherical(model, 0, 1, NULL, &out.id), "point");
-    REFUSES_NULL(pdn_model_add_spherical(model, 0, 1, in.point, NULL), "joint");
+    REFUSES_NULL(pdn_model_add_spherical(NULL, NODE(0), NODE(1), in.point, &out.id), "model");
+    REFUSES_NULL(pdn_model_add_spherical(model, NODE(0), NODE(1), NULL, &out.id), "point");
+    REFUSES_NULL(pdn_model_add_spherical(model, NODE(0), NODE(1), in.point, NULL), "joint");
     REFUSES_NOT_FINITE_ENTRIES(in.point, LENGTH(in.point), CALL, "point");
     REFUSES_BAD_BODIES(CALL);
 #undef CALL
@@ -517,7 +516,7 @@ static void joints(void)
 #define CALL                                                                                       \
     pdn_model_add_universal(in.model, in.node, in.other, in.point, in.axis, in.arm, &out.id)
 #define WITH(model, point, first_arm, second_arm, joint)                                           \
-    pdn_model_add_universal(model, 0, 1, point, first_arm, second_arm, joint)
+    pdn_model_add_universal(model, NODE(0), NODE(1), point, first_arm, second_arm, joint)
     REFUSES_NULL(WITH(NULL, in.point, in.axis, in.arm, &out.id), "model");
     REFUSES_NULL(WITH(model, NULL, in.axis, in.arm, &out.id), "point");
     REFUSES_NULL(WITH(model, in.point, NULL, in.arm, &out.id), "first_arm");
@@ -539,7 +538,7 @@ static void joints(void)
 #define CALL                                                                                       \
     pdn_model_add_joint(in.model, in.kind, in.node, in.other, &in.frame, &in.second_frame, &out.id)
 #define WITH(model, first, second, joint)                                                          \
-    pdn_model_add_joint(model, in.kind, 0, 1, first, second, joint)
+    pdn_model_add_joint(model, in.kind, NODE(0), NODE(1), first, second, joint)
     REFUSES_NULL(WITH(NULL, &in.frame, &in.second_frame, &out.id), "model");
     REFUSES_NULL(WITH(model, NULL, &in.second_frame, &out.id), "first_frame");
     REFUSES_NULL(WITH(model, &in.frame, NULL, &out.id), "second_frame");
@@ -557,37 +556,40 @@ static void forces(void)
     pdn_model *const model = in.model;
 
 #define CALL pdn_model_add_spring_damper(in.model, in.joint, in.coordinate, in.number, 0, 0, NULL)
-    REFUSES_NULL(pdn_model_add_spring_damper(NULL, 0, in.coordinate, 1, 0, 0, NULL), "model");
+    REFUSES_NULL(pdn_model_add_spring_damper(NULL, JOINT(0), in.coordinate, 1, 0, 0, NULL),
+                 "model");
     REFUSES_IDS(in.joint, bad_ids, CALL, "joint");
     REFUSES_ENUMS(in.coordinate, CALL, "coordinate");
     REFUSES_NOT_FINITE(in.number, CALL, "stiffness");
-    REFUSES_NOT_FINITE(in.number,
-                       pdn_model_add_spring_damper(model, 0, in.coordinate, 1, in.number, 0, NULL),
-                       "damping");
-    REFUSES_NOT_FINITE(in.number,
-                       pdn_model_add_spring_damper(model, 0, in.coordinate, 1, 0, in.number, NULL),
-                       "rest");
-    REFUSED(pdn_model_add_spring_damper(model, 0, PDN_ROTATION_2, 1, 0, 0, NULL),
+    REFUSES_NOT_FINITE(
+        in.number,
+        pdn_model_add_spring_damper(model, JOINT(0), in.coordinate, 1, in.number, 0, NULL),
+        "damping");
+    REFUSES_NOT_FINITE(
+        in.number,
+        pdn_model_add_spring_damper(model, JOINT(0), in.coordinate, 1, 0, in.number, NULL), "rest");
+    REFUSED(pdn_model_add_spring_damper(model, JOINT(0), PDN_ROTATION_2, 1, 0, 0, NULL),
             PDN_ERR_NOT_AVAILABLE, "coordinate: expected one of a revolute joint ");
     REFUSED(pdn_model_add_spring_damper(model, in.rigid, PDN_ROTATION, 1, 0, 0, NULL),
             PDN_ERR_NOT_AVAILABLE, "coordinate: expected one of a rigid joint ");
 #undef CALL
 
 #define CALL pdn_model_prescribe(in.model, in.joint, in.coordinate, &in.signal)
-    REFUSES_NULL(pdn_model_prescribe(NULL, 0, in.coordinate, &in.signal), "model");
-    REFUSES_NULL(pdn_model_prescribe(model, 0, in.coordinate, NULL), "signal");
+    REFUSES_NULL(pdn_model_prescribe(NULL, JOINT(0), in.coordinate, &in.signal), "model");
+    REFUSES_NULL(pdn_model_prescribe(model, JOINT(0), in.coordinate, NULL), "signal");
     REFUSES_IDS(in.joint, bad_ids, CALL, "joint");
     REFUSES_ENUMS(in.coordinate, CALL, "coordinate");
     REFUSES_BAD_SIGNALS(CALL);
-    REFUSED(pdn_model_prescribe(model, 0, PDN_ROTATION_3, &in.signal), PDN_ERR_NOT_AVAILABLE,
+    REFUSED(pdn_model_prescribe(model, JOINT(0), PDN_ROTATION_3, &in.signal), PDN_ERR_NOT_AVAILABLE,
             "coordinate: expected one of a revolute joint ");
     CHECK_STATUS(CALL, PDN_OK);
     REFUSED(CALL, PDN_ERR_VALUE, "coordinate: expected one that is not prescribed yet");
 #undef CALL
 
 #define CALL pdn_model_add_load(in.model, in.node, in.load_frame, in.component, &in.signal)
-    REFUSES_NULL(pdn_model_add_load(NULL, 0, in.load_frame, in.component, &in.signal), "model");
-    REFUSES_NULL(pdn_model_add_load(model, 0, in.load_frame, in.component, NULL), "signal");
+    REFUSES_NULL(pdn_model_add_load(NULL, NODE(0), in.load_frame, in.component, &in.signal),
+                 "model");
+    REFUSES_NULL(pdn_model_add_load(model, NODE(0), in.load_frame, in.component, NULL), "signal");
     REFUSES_IDS(in.node, bad_ids, CALL, "node");
     REFUSES_ENUMS(in.load_frame, CALL, "frame");
     REFUSES_ENUMS(in.component, CALL, "component");

@@ -36,7 +36,7 @@ static void set_up(void)
     int32_t hinge;
     CHECK_STATUS(pdn_model_new(&model), PDN_OK);
     CHECK_STATUS(pdn_model_add_rigid_body(model, 2, centre, inertia, &in.nodes[0]), PDN_OK);
-    CHECK_STATUS(pdn_model_add_revolute(model, PDN_GROUND, 0, origin, axis, &hinge), PDN_OK);
+    CHECK_STATUS(pdn_model_add_revolute(model, PDN_GROUND, NODE(0), origin, axis, &hinge), PDN_OK);
     CHECK_STATUS(pdn_model_set_gravity(model, gravity), PDN_OK);
     CHECK_STATUS(pdn_solve_modes(model, NULL, &modes), PDN_OK);
     in.model = model;
@@ -85,8 +85,8 @@ static void solving(void)
     REFUSES_NOT_FINITE(in.options.near_frequency, solve(), "options.near_frequency");
     REFUSES_EACH(in.options.near_frequency, double, negative, solve(), PDN_ERR_VALUE,
                  "options.near_frequency: expected a positive angular frequency, got ");
-    REFUSES_EACH(in.equilibrium.struct_size, size_t, bad_struct_sizes, solve(),
-                 PDN_ERR_STRUCT_SIZE, "options.equilibrium: expected struct_size ");
+    REFUSES_EACH(in.equilibrium.struct_size, size_t, bad_struct_sizes, solve(), PDN_ERR_STRUCT_SIZE,
+                 "options.equilibrium: expected struct_size ");
     REFUSES_NOT_FINITE(in.equilibrium.time, solve(), "options.equilibrium.time");
     REFUSES_EACH(in.equilibrium.iteration_limit, size_t, zero, solve(), PDN_ERR_VALUE,
                  "options.equilibrium: options.iteration_limit: expected at least 1");
@@ -110,7 +110,7 @@ static void solving(void)
 static void looking(void)
 {
     static const int32_t bad_modes[] = {-1, 1, 99, INT32_MAX, INT32_MIN};
-    static const int32_t bad_nodes[] = {-1, 1, 99, INT32_MAX, INT32_MIN};
+    static const int32_t bad_nodes[] = {-1, NO_IDS};
     static const size_t bad_struct_sizes[] = {0, 1, 7, 8, 48, 5000, (size_t)-1};
     size_t i;
     pdn_mode mode, before;

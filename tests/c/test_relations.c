@@ -74,19 +74,19 @@ static void geared_wheels_are_one_inertia(void)
     PDN_INIT(pdn_signal, &signal);
     CHECK_STATUS(pdn_signal_set_harmonics(&signal, 0, 0, cosines, sines, 1), PDN_OK);
     CHECK_STATUS(pdn_model_add_actuator(model, joints[0], PDN_ROTATION, &signal, NULL), PDN_OK);
-    CHECK_STATUS(pdn_model_add_relation(model, joints, coordinates, coefficients, 2, NULL,
-                                        &relation),
-                 PDN_OK);
+    CHECK_STATUS(
+        pdn_model_add_relation(model, joints, coordinates, coefficients, 2, NULL, &relation),
+        PDN_OK);
     CHECK_STATUS(pdn_model_relation_count(model, &count), PDN_OK);
-    CHECK(relation == 0 && count == 1);
+    CHECK(relation == RELATION(0) && count == 1);
     solution = solve(model, PERIOD);
     PDN_INIT(pdn_quantity, &quantity);
     for (k = 0; k < 2; k++) {
         const double size = k == 0 ? amplitude : ratio * amplitude;
         const double second = -OMEGA * OMEGA * inertias[1] * ratio * amplitude;
-        CHECK_STATUS(pdn_solution_joint_coordinate(solution, joints[k], PDN_ROTATION, times, TIMES,
-                                                   angle),
-                     PDN_OK);
+        CHECK_STATUS(
+            pdn_solution_joint_coordinate(solution, joints[k], PDN_ROTATION, times, TIMES, angle),
+            PDN_OK);
         quantity.kind = PDN_QUANTITY_RELATION_EFFORT;
         quantity.object = relation;
         quantity.component = k;
@@ -105,7 +105,7 @@ static void geared_wheels_are_one_inertia(void)
     quantity.component = PDN_ALL_COMPONENTS;
     CHECK(pdn_quantity_components(&quantity) < 0);
     quantity.component = 0;
-    quantity.object = 1;
+    quantity.object = RELATION(1);
     CHECK_STATUS(pdn_solution_sample_quantity(solution, &quantity, times, TIMES, effort),
                  PDN_ERR_ID);
     pdn_solution_free(solution);
@@ -131,9 +131,9 @@ static void a_signal_shifts_what_is_geared(void)
     CHECK_STATUS(pdn_signal_set_harmonics(&signal, 0, OMEGA, NULL, NULL, 0), PDN_OK);
     CHECK_STATUS(pdn_model_prescribe(model, joints[0], PDN_ROTATION, &signal), PDN_OK);
     CHECK_STATUS(pdn_signal_set_harmonics(&signal, 0.1, 0, cosines, sines, 1), PDN_OK);
-    CHECK_STATUS(pdn_model_add_relation(model, joints, coordinates, coefficients, 2, &signal,
-                                        &relation),
-                 PDN_OK);
+    CHECK_STATUS(
+        pdn_model_add_relation(model, joints, coordinates, coefficients, 2, &signal, &relation),
+        PDN_OK);
     CHECK_STATUS(pdn_model_add_parameter(model, "shift", 2.0, 1.0, &parameter), PDN_OK);
     CHECK_STATUS(pdn_model_move_signal(model, parameter, PDN_SIGNAL_OF_RELATION, relation, 0,
                                        PDN_PART_AMPLITUDE, 1.0),
@@ -191,9 +191,9 @@ static void a_bearing_carries_a_rotor(void)
     CHECK_STATUS(pdn_model_add_bushing(model, PDN_GROUND, body, &frame, &frame, stiffness, damping,
                                        PDN_ANGLES_TILT_AND_SPIN, &bearing),
                  PDN_OK);
-    CHECK_STATUS(pdn_model_add_joint(model, PDN_JOINT_FREE, PDN_GROUND, body, &frame, &frame,
-                                     &shaft),
-                 PDN_OK);
+    CHECK_STATUS(
+        pdn_model_add_joint(model, PDN_JOINT_FREE, PDN_GROUND, body, &frame, &frame, &shaft),
+        PDN_OK);
     PDN_INIT(pdn_signal, &signal);
     CHECK_STATUS(pdn_model_prescribe(model, shaft, PDN_DISPLACEMENT_3, &signal), PDN_OK);
     CHECK_STATUS(pdn_signal_set_harmonics(&signal, 0, spin, NULL, NULL, 0), PDN_OK);
@@ -222,8 +222,8 @@ static void a_bearing_carries_a_rotor(void)
     pdn_model_free(model);
 }
 
-static const int32_t bad_joints[] = {-1, 2, INT32_MAX, INT32_MIN};
-static const int32_t bad_bodies[] = {-2, 2, INT32_MAX, INT32_MIN};
+static const int32_t bad_joints[] = {-1, NO_IDS};
+static const int32_t bad_bodies[] = {NO_IDS};
 
 static void relations_are_refused(void)
 {
@@ -247,9 +247,9 @@ static void relations_are_refused(void)
     in.coordinates[0] = PDN_DISPLACEMENT;
     REFUSED(CALL, PDN_ERR_NOT_AVAILABLE, "term 0");
     in.coordinates[0] = PDN_ROTATION;
-    in.joints[1] = 0;
+    in.joints[1] = JOINT(0);
     REFUSED(CALL, PDN_ERR_VALUE, "coordinates: expected each at most once");
-    in.joints[1] = 1;
+    in.joints[1] = JOINT(1);
     in.count = 1;
     REFUSED(CALL, PDN_ERR_SIZE, "count: expected at least 2 coordinates, got 1");
     in.count = 0;
@@ -280,7 +280,7 @@ static void bushings_are_refused(void)
     REFUSES_EACH(in.second, int32_t, bad_bodies, CALL, PDN_ERR_ID, "second");
     in.second = in.first;
     REFUSED(CALL, PDN_ERR_VALUE, "first, second: expected two different bodies");
-    in.second = 1;
+    in.second = NODE(1);
     REFUSES_EACH(in.angles, int32_t, bad_enums, CALL, PDN_ERR_VALUE, "angles: expected PDN_ANGLES");
     REFUSES_NOT_FINITE_ENTRIES(in.stiffness, 36, CALL, "stiffness");
     REFUSES_NOT_FINITE_ENTRIES(in.damping, 36, CALL, "damping");
@@ -308,7 +308,8 @@ int main(void)
         in.coefficients[i] = 1 - 4 * i;
     }
     in.count = 2;
-    in.second = 1;
+    in.first = NODE(0);
+    in.second = NODE(1);
     in.frame = frame;
     in.angles = PDN_ANGLES_ROTATION_VECTOR;
     in.stiffness[0] = in.damping[0] = 1;

@@ -20,9 +20,9 @@ static void begin(void)
     CHECK_STATUS(pdn_model_new(&model), PDN_OK);
     CHECK_STATUS(pdn_model_add_rigid_body(model, MASS, ORIGIN, BALL, &body), PDN_OK);
     CHECK_STATUS(pdn_model_add_prismatic(model, PDN_GROUND, body, ORIGIN, AXIS, &joint), PDN_OK);
-    CHECK_STATUS(pdn_model_add_spring_damper(model, joint, PDN_DISPLACEMENT, STIFFNESS, DAMPING, 0,
-                                             &spring),
-                 PDN_OK);
+    CHECK_STATUS(
+        pdn_model_add_spring_damper(model, joint, PDN_DISPLACEMENT, STIFFNESS, DAMPING, 0, &spring),
+        PDN_OK);
     PDN_INIT(pdn_signal, &push);
     CHECK_STATUS(pdn_signal_set_harmonics(&push, 0, 0, cosines, sines, 1), PDN_OK);
     CHECK_STATUS(pdn_model_add_actuator(model, joint, PDN_DISPLACEMENT, &push, &actuator), PDN_OK);
@@ -58,12 +58,13 @@ static void held(void)
 {
     const double w = 1.7, h = 1e-4;
     double found[4][4];
-    pdn_quantity x = coordinate(PDN_QUANTITY_COORDINATE);
+    pdn_quantity x;
     pdn_periodic_options options;
     pdn_sensitivity_options how;
     pdn_sensitivities *s;
     pdn_solution *solution;
     begin();
+    x = coordinate(PDN_QUANTITY_COORDINATE);
     PDN_INIT(pdn_periodic_options, &options);
     options.grid_points = 7;
     CHECK_STATUS(pdn_solve_periodic(model, 2 * PI / w, &options, &solution), PDN_OK);
@@ -117,7 +118,7 @@ static void held(void)
     CHECK_STATUS(pdn_sensitivities_add_quantity(s, &x, 499, 0), PDN_ERR_VALUE);
     CHECK_STATUS(pdn_sensitivities_add_quantity(s, &x, PDN_FEATURE_COSINE, 0), PDN_ERR_VALUE);
     CHECK_STATUS(pdn_sensitivities_add_quantity(s, NULL, PDN_FEATURE_MEAN, 0), PDN_ERR_NULL);
-    CHECK_STATUS(pdn_sensitivities_add_parameter(s, 9), PDN_OK);
+    CHECK_STATUS(pdn_sensitivities_add_parameter(s, PARAMETER(9)), PDN_OK);
     CHECK_STATUS(pdn_solution_sensitivities(solution, s, NULL, NULL, found[0], 4, 5), PDN_ERR_ID);
     CHECK(found[0][0] == before);
     pdn_sensitivities_free(s);
@@ -144,19 +145,19 @@ static void held(void)
         }
     }
     double re[3], im[3];
-    CHECK_STATUS(pdn_solution_multiplier_sensitivities(solution, s, stability, 0, NULL, NULL, re,
-                                                       im, 3),
-                 PDN_OK);
+    CHECK_STATUS(
+        pdn_solution_multiplier_sensitivities(solution, s, stability, 0, NULL, NULL, re, im, 3),
+        PDN_OK);
     for (int i = 0; i < 3; ++i) {
         CHECK_NEAR(re[i], by[i][0], 1e-8);
         CHECK_NEAR(im[i], by[i][1], 1e-8);
     }
-    CHECK_STATUS(pdn_solution_multiplier_sensitivities(solution, s, stability, 2, NULL, NULL, re,
-                                                       im, 3),
-                 PDN_ERR_ID);
-    CHECK_STATUS(pdn_solution_multiplier_sensitivities(solution, s, stability, 0, NULL, NULL, re,
-                                                       im, 2),
-                 PDN_ERR_SIZE);
+    CHECK_STATUS(
+        pdn_solution_multiplier_sensitivities(solution, s, stability, 2, NULL, NULL, re, im, 3),
+        PDN_ERR_ID);
+    CHECK_STATUS(
+        pdn_solution_multiplier_sensitivities(solution, s, stability, 0, NULL, NULL, re, im, 2),
+        PDN_ERR_SIZE);
     CHECK_STATUS(pdn_solution_multiplier_sensitivities(solution, s, NULL, 0, NULL, NULL, re, im, 3),
                  PDN_ERR_NULL);
     pdn_stability_free(stability);

@@ -44,7 +44,7 @@ static void clamp_start(pdn_model *model, const pdn_shell *shell)
     CHECK_STATUS(pdn_model_add_rigid_edge(model, PDN_GROUND, shell, PDN_SHELL_EDGE_START_XI, &first,
                                           &joints),
                  PDN_OK);
-    CHECK(first == 0 && joints == shell->nodes_v);
+    CHECK(first == JOINT(0) && joints == shell->nodes_v);
 }
 
 /* Each edge has its nodes, but for what its body has already; a closed one has each once. */
@@ -70,12 +70,12 @@ static void rigid_edges(void)
     for (k = 0; k < 4; k++) {
         CHECK_STATUS(pdn_model_add_rigid_edge(model, body, &shell, edges[k], &first, &joints),
                      PDN_OK);
-        CHECK(first == total && joints == counts[k]);
+        CHECK(first == JOINT(total) && joints == counts[k]);
         total += joints;
         PDN_INIT(pdn_joint_info, &info);
         CHECK_STATUS(pdn_model_joint(model, first, &info), PDN_OK);
-        CHECK_STATUS(
-            pdn_model_shell_patch_node(model, &shell, starts[k][0], starts[k][1], &node), PDN_OK);
+        CHECK_STATUS(pdn_model_shell_patch_node(model, &shell, starts[k][0], starts[k][1], &node),
+                     PDN_OK);
         CHECK(info.kind == PDN_JOINT_RIGID && info.first == body && info.second == node);
     }
     /* A tube about the body: its end is a circle of 12 nodes. */
@@ -83,16 +83,16 @@ static void rigid_edges(void)
     CHECK_STATUS(pdn_surface_set_cylinder(&surface, origin, axis, start, 0.4, 1, 2 * PI), PDN_OK);
     CHECK_STATUS(pdn_model_add_shell(model, &surface, 4, 2, 3, 2, 1, &section, NULL, &tube),
                  PDN_OK);
-    CHECK_STATUS(pdn_model_add_rigid_edge(model, body, &tube, PDN_SHELL_EDGE_END_ETA, &first,
-                                          &joints),
-                 PDN_OK);
-    CHECK(first == total && joints == 12);
+    CHECK_STATUS(
+        pdn_model_add_rigid_edge(model, body, &tube, PDN_SHELL_EDGE_END_ETA, &first, &joints),
+        PDN_OK);
+    CHECK(first == JOINT(total) && joints == 12);
     /* Nodes by their ids; the body is one of them. */
     nodes[0] = body;
     CHECK_STATUS(pdn_model_shell_patch_node(model, &tube, 3, 0, &nodes[1]), PDN_OK);
     CHECK_STATUS(pdn_model_shell_patch_node(model, &tube, 5, 4, &nodes[2]), PDN_OK);
     CHECK_STATUS(pdn_model_add_rigid_joints(model, body, nodes, 3, &first, &joints), PDN_OK);
-    CHECK(first == total + 12 && joints == 1);
+    CHECK(first == JOINT(total + 12) && joints == 1);
     pdn_model_free(model);
 }
 
@@ -114,7 +114,8 @@ static void surfaces(void)
     CHECK_STATUS(pdn_model_new(&model), PDN_OK);
     CHECK_STATUS(pdn_model_add_shell(model, &surface, 2, 3, 3, 5, 1, &section, NULL, &sector),
                  PDN_OK);
-    CHECK(sector.first_element == 0 && sector.elements_u == 2 && sector.elements_v == 3);
+    CHECK(sector.first_element == SHELL_ELEMENT(0) && sector.elements_u == 2 &&
+          sector.elements_v == 3);
     CHECK(sector.nodes_u == 7 && sector.nodes_v == 16);
     CHECK_STATUS(pdn_model_shell_element_count(model, &count), PDN_OK);
     CHECK(count == 6);
@@ -132,11 +133,11 @@ static void surfaces(void)
     CHECK_NEAR(position[1], 1, 1e-15);
 
     /* A whole turn closes itself, as joined. */
-    CHECK_STATUS(
-        pdn_surface_set_cylinder(&surface, origin, axis, start, inner, length, 2 * PI), PDN_OK);
+    CHECK_STATUS(pdn_surface_set_cylinder(&surface, origin, axis, start, inner, length, 2 * PI),
+                 PDN_OK);
     CHECK_STATUS(pdn_model_add_shell(model, &surface, 4, 2, 6, 2, 1, &section, NULL, &tube),
                  PDN_OK);
-    CHECK(tube.first_element == 6 && tube.nodes_u == 25 && tube.nodes_v == 5);
+    CHECK(tube.first_element == SHELL_ELEMENT(6) && tube.nodes_u == 25 && tube.nodes_v == 5);
     {
         int32_t first, last, again;
         CHECK_STATUS(pdn_model_shell_patch_node(model, &tube, 0, 3, &first), PDN_OK);
@@ -146,8 +147,8 @@ static void surfaces(void)
         CHECK_STATUS(pdn_model_shell_node(model, tube.first_element + 1, 0, 1, &again), PDN_OK);
         CHECK(again == first);
     }
-    expected = per_area * PI / 4 * (outer * outer - inner * inner) +
-               per_area * 2 * PI * inner * length;
+    expected =
+        per_area * PI / 4 * (outer * outer - inner * inner) + per_area * 2 * PI * inner * length;
     CHECK_NEAR(mass_of(model, centre) / expected, 1, 1e-9);
     pdn_model_free(model);
 }
@@ -199,7 +200,7 @@ static void meshes(void)
     CHECK_STATUS(pdn_model_add_shell_quadrilaterals(models[2], points[0], POINTS, cells[0], 72, 9,
                                                     2, &section, NULL, &first),
                  PDN_OK);
-    CHECK(first == 0);
+    CHECK(first == SHELL_ELEMENT(0));
     for (k = 0; k < 3; k++) {
         int32_t nodes;
         masses[k] = mass_of(models[k], centres[k]);
@@ -220,7 +221,7 @@ static void stretched(const pdn_solution *solution, double traction)
     pdn_quantity quantity;
     PDN_INIT(pdn_quantity, &quantity);
     quantity.kind = PDN_QUANTITY_SHELL_STRAIN;
-    quantity.object = 1;
+    quantity.object = SHELL_ELEMENT(1);
     quantity.station = 0.3;
     quantity.station_eta = -0.7;
     CHECK(pdn_quantity_components(&quantity) == 12);
@@ -247,9 +248,9 @@ static void stretched(const pdn_solution *solution, double traction)
                  PDN_ERR_VALUE);
     CHECK_MESSAGE("quantity.station_eta: expected a number from -1 to 1, got 1.1");
     quantity.station_eta = 0;
-    quantity.object = 2;
+    quantity.object = SHELL_ELEMENT(2);
     CHECK_STATUS(pdn_solution_sample_quantity(solution, &quantity, &time, 1, values), PDN_ERR_ID);
-    quantity.object = 0;
+    quantity.object = SHELL_ELEMENT(0);
     quantity.direction[2] = NAN;
     CHECK_STATUS(pdn_solution_sample_quantity(solution, &quantity, &time, 1, values),
                  PDN_ERR_NOT_FINITE);
@@ -345,33 +346,33 @@ static void surface_forces(void)
     double heights[2], position[3];
     int k;
     for (k = 0; k < 2; k++) {
-        struct wind wind = {0.05, 3, 0, 1, 0, 0, 0, 9};
+        struct wind wind = {0.05, 3, 0, SHELL_ELEMENT(1), 0, 0, 0, 9};
         pdn_model *model;
         pdn_shell shell;
         pdn_solution *solution;
         pdn_signal pressure;
         int32_t node, force = -1;
         CHECK_STATUS(pdn_model_new(&model), PDN_OK);
-        CHECK_STATUS(
-            pdn_model_add_shell(model, &surface, 2, 1, 2, 2, 1, &section, NULL, &shell), PDN_OK);
+        CHECK_STATUS(pdn_model_add_shell(model, &surface, 2, 1, 2, 2, 1, &section, NULL, &shell),
+                     PDN_OK);
         clamp_start(model, &shell);
         if (k == 0) {
             PDN_INIT(pdn_signal, &pressure);
             CHECK_STATUS(pdn_signal_set_constant(&pressure, wind.pressure), PDN_OK);
-            CHECK_STATUS(pdn_model_add_shell_load(model, 1, 1, PDN_SHELL_SURFACE,
+            CHECK_STATUS(pdn_model_add_shell_load(model, SHELL_ELEMENT(1), 1, PDN_SHELL_SURFACE,
                                                   PDN_FRAME_MATERIAL, PDN_FORCE_3, &pressure),
                          PDN_OK);
         } else {
             pdn_force_info info;
             pdn_tangent_check check;
-            CHECK_STATUS(pdn_model_add_surface_force(model, 1, 1, PDN_SHELL_SURFACE,
+            CHECK_STATUS(pdn_model_add_surface_force(model, SHELL_ELEMENT(1), 1, PDN_SHELL_SURFACE,
                                                      PDN_FRAME_MATERIAL, PDN_TANGENTS_DIFFERENCED,
                                                      blow, &wind, dispose, &force),
                          PDN_OK);
             PDN_INIT(pdn_force_info, &info);
             CHECK_STATUS(pdn_model_force(model, force, &info), PDN_OK);
-            CHECK(force == 0 && info.kind == PDN_FORCE_IS_SURFACE_FORCE);
-            CHECK(info.shell_element == 1 && info.shell_place == PDN_SHELL_SURFACE);
+            CHECK(force == FORCE(0) && info.kind == PDN_FORCE_IS_SURFACE_FORCE);
+            CHECK(info.shell_element == SHELL_ELEMENT(1) && info.shell_place == PDN_SHELL_SURFACE);
             PDN_INIT(pdn_tangent_check, &check);
             CHECK_STATUS(pdn_model_check_tangents(model, force, 1, &check), PDN_ERR_NOT_AVAILABLE);
         }
@@ -392,7 +393,7 @@ static void surface_forces(void)
     /* Small motions: z'' + rate z' + w^2 z = 0 for all modes, but for rotary inertia, which is
        (h / L)^2 of the mass. */
     {
-        struct wind wind = {0, 0, 0, 0, 1, 0, 0, 36};
+        struct wind wind = {0, 0, 0, SHELL_ELEMENT(0), 1, 0, 0, 36};
         pdn_modes_options options;
         pdn_modes *modes;
         pdn_model *model;
@@ -408,7 +409,7 @@ static void surface_forces(void)
             clamp_start(model, &shell);
             if (k == 1)
                 CHECK_STATUS(pdn_model_add_surface_force(
-                                 model, 0, 1, PDN_SHELL_SURFACE, PDN_FRAME_MATERIAL,
+                                 model, SHELL_ELEMENT(0), 1, PDN_SHELL_SURFACE, PDN_FRAME_MATERIAL,
                                  PDN_TANGENTS_GIVEN, blow, &wind, NULL, NULL),
                              PDN_OK);
             PDN_INIT(pdn_modes_options, &options);
@@ -452,14 +453,14 @@ static void roll_up(void)
     CHECK(placement.frames == PDN_SHELL_NORMALS && placement.offset == 0);
     placement.frames = PDN_SHELL_PARALLEL;
     CHECK_STATUS(pdn_model_new(&model), PDN_OK);
-    CHECK_STATUS(
-        pdn_model_add_shell(model, &surface, 1, 1, 11, 1, 1, &section, &placement, &shell), PDN_OK);
+    CHECK_STATUS(pdn_model_add_shell(model, &surface, 1, 1, 11, 1, 1, &section, &placement, &shell),
+                 PDN_OK);
     clamp_start(model, &shell);
     PDN_INIT(pdn_signal, &moment);
     CHECK_STATUS(pdn_signal_set_constant(&moment, -2 * PI * young * h * h * h / 12 / length),
                  PDN_OK);
-    CHECK_STATUS(pdn_model_add_shell_load(model, 0, 1, PDN_SHELL_EDGE_END_XI, PDN_FRAME_MATERIAL,
-                                          PDN_MOMENT_1, &moment),
+    CHECK_STATUS(pdn_model_add_shell_load(model, SHELL_ELEMENT(0), 1, PDN_SHELL_EDGE_END_XI,
+                                          PDN_FRAME_MATERIAL, PDN_MOMENT_1, &moment),
                  PDN_OK);
     PDN_INIT(pdn_static_options, &options);
     options.load_steps = 4;

@@ -71,7 +71,7 @@ static int model_changed(void)
 #define REFUSES_NULL(call, name) REFUSED(call, PDN_ERR_NULL, name ": expected a pointer, got NULL")
 
 static const size_t bad_struct_sizes[] = {0, 7, 8, 50000, (size_t)-1};
-static const int32_t bad_ids[] = {-1, -2, 99, INT32_MAX, INT32_MIN};
+static const int32_t bad_ids[] = {-1, NO_IDS};
 static const int32_t one[] = {1};
 
 #define REFUSES_STRUCT_SIZES(variable, call, name)                                                 \
@@ -79,8 +79,7 @@ static const int32_t one[] = {1};
                  name ": expected struct_size ")
 #define REFUSES_ENUMS(variable, call, name)                                                        \
     do {                                                                                           \
-        REFUSES_EACH(variable, int32_t, bad_enums, call, PDN_ERR_VALUE,                            \
-                     name ": expected ");                                                          \
+        REFUSES_EACH(variable, int32_t, bad_enums, call, PDN_ERR_VALUE, name ": expected ");       \
         REFUSES_OTHER_ROLES(variable, call, name ": expected ");                                   \
     } while (0)
 
@@ -110,6 +109,7 @@ static void set_up(void)
     in.elements_u = 2;
     in.elements_v = 1;
     in.degree_u = in.degree_v = 2;
+    in.first_element = SHELL_ELEMENT(0);
     in.loaded = 2;
     in.place = PDN_SHELL_SURFACE;
     in.frame = PDN_FRAME_SPACE;
@@ -253,16 +253,15 @@ static void shells_over_surfaces(void)
         {A_LINE, PDN_ERR_VALUE, "element at 0, 0: "},
     };
     size_t k;
-    REFUSES_NULL(pdn_model_add_shell(NULL, &in.surface, 1, 1, 2, 2, 0, &in.section, NULL,
-                                     &out.shell),
-                 "model");
+    REFUSES_NULL(
+        pdn_model_add_shell(NULL, &in.surface, 1, 1, 2, 2, 0, &in.section, NULL, &out.shell),
+        "model");
     REFUSES_NULL(pdn_model_add_shell(in.model, NULL, 1, 1, 2, 2, 0, &in.section, NULL, &out.shell),
                  "surface");
     REFUSES_NULL(pdn_model_add_shell(in.model, &in.surface, 1, 1, 2, 2, 0, NULL, NULL, &out.shell),
                  "section");
-    REFUSES_NULL(
-        pdn_model_add_shell(in.model, &in.surface, 1, 1, 2, 2, 0, &in.section, NULL, NULL),
-        "shell");
+    REFUSES_NULL(pdn_model_add_shell(in.model, &in.surface, 1, 1, 2, 2, 0, &in.section, NULL, NULL),
+                 "shell");
     REFUSES_STRUCT_SIZES(in.surface, ADD, "surface");
     REFUSES_STRUCT_SIZES(in.section, ADD, "section");
     REFUSES_STRUCT_SIZES(in.placement, ADD, "placement");
@@ -391,7 +390,6 @@ static void shells_over_nodes(void)
 static void nodes_of_shells(void)
 {
     static const int32_t off[] = {-1, 5, INT32_MAX, INT32_MIN}, off_side[] = {-1, 3, INT32_MAX};
-    const int32_t others[] = {1, 2, -1, INT32_MAX, INT32_MIN};
 #define CALL pdn_model_shell_patch_node(in.model, &in.shell, in.u, in.v, &out.id)
     REFUSES_NULL(pdn_model_shell_patch_node(NULL, &in.shell, 0, 0, &out.id), "model");
     REFUSES_NULL(pdn_model_shell_patch_node(in.model, NULL, 0, 0, &out.id), "shell");
@@ -399,18 +397,21 @@ static void nodes_of_shells(void)
     REFUSES_EACH(in.u, int32_t, off, CALL, PDN_ERR_VALUE, "u: expected 0 to 4");
     REFUSES_EACH(in.v, int32_t, off_side, CALL, PDN_ERR_VALUE, "v: expected 0 to 2");
     in.u = 4;
-    REFUSES_EACH(in.shell.first_element, int32_t, others, CALL, PDN_ERR_VALUE,
-                 "shell: expected a shell of this model");
+    in.shell.first_element = SHELL_ELEMENT(1);
+    REFUSED(CALL, PDN_ERR_VALUE, "shell: expected a shell of this model");
+    in.shell.first_element = SHELL_ELEMENT(0);
     in.u = 0;
+    REFUSES_EACH(in.shell.first_element, int32_t, bad_ids, CALL, PDN_ERR_ID,
+                 "shell: first_element: expected a shell element id");
     in.shell.elements_u = 0;
     REFUSED(CALL, PDN_ERR_VALUE, "shell: elements_u: expected 1 or more");
     in.shell.elements_u = 2;
 #undef CALL
 #define CALL pdn_model_shell_node(in.model, in.first_element, in.u, in.v, &out.id)
-    REFUSES_NULL(pdn_model_shell_node(NULL, 0, 0, 0, &out.id), "model");
-    REFUSES_NULL(pdn_model_shell_node(in.model, 0, 0, 0, NULL), "node");
+    REFUSES_NULL(pdn_model_shell_node(NULL, SHELL_ELEMENT(0), 0, 0, &out.id), "model");
+    REFUSES_NULL(pdn_model_shell_node(in.model, SHELL_ELEMENT(0), 0, 0, NULL), "node");
     REFUSES_EACH(in.first_element, int32_t, bad_ids, CALL, PDN_ERR_ID,
-                 "element: expected a shell element id from 0 to 1");
+                 "element: expected a shell element id from 400000000 to 400000001");
     REFUSES_EACH(in.u, int32_t, off_side, CALL, PDN_ERR_VALUE, "xi: expected 0 to 2");
     REFUSES_EACH(in.v, int32_t, off_side, CALL, PDN_ERR_VALUE, "eta: expected 0 to 2");
 #undef CALL
@@ -431,8 +432,8 @@ static void rigid_edges(void)
     REFUSES_NULL(WITH(in.model, &in.shell, NULL, &out.number), "first_joint");
     REFUSES_NULL(WITH(in.model, &in.shell, &out.id, NULL), "joints");
     REFUSES_EACH(body, int32_t, off, CALL, PDN_ERR_ID, "body: expected ");
-    REFUSES_EACH(in.shell.first_element, int32_t, bad_ids, CALL, PDN_ERR_VALUE,
-                 "shell: expected a shell of this model");
+    REFUSES_EACH(in.shell.first_element, int32_t, bad_ids, CALL, PDN_ERR_ID,
+                 "shell: first_element: expected a shell element id");
     edge = PDN_SHELL_SURFACE;
     REFUSED(CALL, PDN_ERR_VALUE, "edge: expected a constant PDN_SHELL_EDGE_...");
     edge = PDN_SHELL_EDGE_START_XI;
@@ -478,7 +479,7 @@ static void loads(void)
     REFUSES_NULL(WITH(NULL, &in.signal), "model");
     REFUSES_NULL(WITH(in.model, NULL), "signal");
     REFUSES_EACH(in.first_element, int32_t, bad_ids, CALL, PDN_ERR_ID,
-                 "first_element: expected a shell element id from 0 to 1");
+                 "first_element: expected a shell element id from 400000000 to 400000001");
     REFUSES_EACH(in.loaded, int32_t, bad_counts, CALL, PDN_ERR_SIZE, "elements: expected ");
     REFUSES_ENUMS(in.place, CALL, "place");
     REFUSES_ENUMS(in.frame, CALL, "frame");
@@ -487,12 +488,11 @@ static void loads(void)
     REFUSES_NOT_FINITE(in.signal.mean, CALL, "signal: mean");
 #undef CALL
 #undef WITH
-#define CALL                                                                                       \
-    pdn_model_set_shell_prestress(in.model, in.first_element, in.loaded, in.resultants)
-    REFUSES_NULL(pdn_model_set_shell_prestress(NULL, 0, 1, in.resultants), "model");
-    REFUSES_NULL(pdn_model_set_shell_prestress(in.model, 0, 1, NULL), "resultants");
+#define CALL pdn_model_set_shell_prestress(in.model, in.first_element, in.loaded, in.resultants)
+    REFUSES_NULL(pdn_model_set_shell_prestress(NULL, SHELL_ELEMENT(0), 1, in.resultants), "model");
+    REFUSES_NULL(pdn_model_set_shell_prestress(in.model, SHELL_ELEMENT(0), 1, NULL), "resultants");
     REFUSES_EACH(in.first_element, int32_t, bad_ids, CALL, PDN_ERR_ID,
-                 "first_element: expected a shell element id from 0 to 1");
+                 "first_element: expected a shell element id from 400000000 to 400000001");
     REFUSES_EACH(in.loaded, int32_t, bad_counts, CALL, PDN_ERR_SIZE, "elements: expected 1 to 2");
     REFUSES_NOT_FINITE_ENTRIES(in.resultants, 12, CALL, "resultants");
 #undef CALL
@@ -515,7 +515,7 @@ static void surface_forces(void)
     REFUSES_NULL(WITH(NULL, nothing), "model");
     REFUSED(WITH(in.model, NULL), PDN_ERR_NULL, "function: expected a ");
     REFUSES_EACH(in.first_element, int32_t, bad_ids, CALL, PDN_ERR_ID,
-                 "first_element: expected a shell element id from 0 to 1");
+                 "first_element: expected a shell element id from 400000000 to 400000001");
     REFUSES_EACH(in.loaded, int32_t, bad_counts, CALL, PDN_ERR_SIZE, "elements: expected ");
     REFUSES_ENUMS(in.place, CALL, "place");
     REFUSES_ENUMS(in.frame, CALL, "frame");
@@ -547,7 +547,7 @@ int main(void)
                  PDN_OK);
     CHECK_STATUS(pdn_model_add_shell_element(in.model, in.nodes, 4, 2, &in.section, NULL, &id),
                  PDN_OK);
-    CHECK(shell.first_element == 2 && id == 3);
+    CHECK(shell.first_element == SHELL_ELEMENT(2) && id == SHELL_ELEMENT(3));
     pdn_model_free(in.model);
     printf("%d refusals, nothing changed\n", refusals);
     return 0;

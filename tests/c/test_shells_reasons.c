@@ -31,7 +31,7 @@ static pdn_model *square(int32_t *nodes)
     for (k = 0; k < 6; k++)
         nodes[k] = node_at(model, k / 2, k % 2, 0);
     CHECK_STATUS(pdn_model_add_shell_element(model, nodes, 4, 2, &section, NULL, &element), PDN_OK);
-    CHECK(element == 0);
+    CHECK(element == SHELL_ELEMENT(0));
     return model;
 }
 
@@ -174,9 +174,9 @@ static void thin_and_warped(void)
                                          1, &section, &placement, &shell),
                      PDN_OK);
         clamp(model, &shell);
-        CHECK(describes(model, "thin and warped, with two nodes a side, which is far too stiff: "
-                               "take three or more nodes a side, or smaller elements") ==
-              cases[k].locks);
+        CHECK(describes(model,
+                        "thin and warped, with two nodes a side, which is far too stiff: "
+                        "take three or more nodes a side, or smaller elements") == cases[k].locks);
         CHECK(describes(model, "warning: ") == cases[k].locks);
         pdn_model_free(model);
     }
@@ -226,7 +226,7 @@ static void couples_of_loads(void)
     snprintf(text, sizeof text,
              "%s %d alone: the turn there grows without bound as the mesh becomes finer; join an "
              "edge, or several nodes",
-             ALONE, middle);
+             ALONE, middle - NODE(0));
     CHECK(describes(model, text));
     /* Of two far from each other each is alone, of neighbours neither. */
     CHECK_STATUS(pdn_model_shell_patch_node(model, &shell, 1, 0, &far), PDN_OK);
@@ -234,7 +234,7 @@ static void couples_of_loads(void)
     CHECK(describes(model, ALONE));
     CHECK_STATUS(pdn_model_shell_patch_node(model, &shell, 4, 1, &beside), PDN_OK);
     load(model, beside, PDN_MOMENT_3);
-    snprintf(text, sizeof text, "%s %d alone", ALONE, far);
+    snprintf(text, sizeof text, "%s %d alone", ALONE, far - NODE(0));
     CHECK(describes(model, text));
     pdn_model_free(model);
 }

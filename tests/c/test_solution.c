@@ -343,7 +343,7 @@ static void times_may_be_any(void)
                  PDN_OK);
     CHECK_STATUS(pdn_solution_joint_reaction(solution, motor, PDN_FRAME_SPACE, NULL, 0, NULL),
                  PDN_OK);
-    CHECK_STATUS(pdn_solution_beam_force(solution, 0, 0.0, NULL, 0, NULL), PDN_OK);
+    CHECK_STATUS(pdn_solution_beam_force(solution, BEAM_ELEMENT(0), 0.0, NULL, 0, NULL), PDN_OK);
     CHECK(canary == 7);
 }
 
@@ -489,7 +489,7 @@ static void the_beam_bends_evenly(void)
     int32_t element;
     size_t s;
     int i, k;
-    for (element = 0; element < beam.elements; element++) {
+    for (element = BEAM_ELEMENT(0); element < BEAM_ELEMENT(beam.elements); element++) {
         for (s = 0; s < sizeof stations / sizeof *stations; s++) {
             CHECK_STATUS(
                 pdn_solution_beam_strain(solution, element, stations[s], times, TIMES, strain),
@@ -587,9 +587,9 @@ static void harmonics_beyond_those_of_the_grid_are_zero(void)
                  PDN_OK);
     for (i = 0; i < 3 * MORE; i++)
         cosines[i] = sines[i] = 7;
-    CHECK_STATUS(pdn_solution_node_harmonics(solution, rotor, PDN_NODE_POSITION, MORE, NULL,
-                                             cosines, sines),
-                 PDN_OK);
+    CHECK_STATUS(
+        pdn_solution_node_harmonics(solution, rotor, PDN_NODE_POSITION, MORE, NULL, cosines, sines),
+        PDN_OK);
     CHECK(memcmp(cosines, fewer, sizeof fewer) == 0);
     for (i = 3 * HARMONICS; i < 3 * MORE; i++)
         CHECK(cosines[i] == 0 && sines[i] == 0);
@@ -716,7 +716,7 @@ static void beam_harmonics_are_those_of_the_samples(void)
 {
     double samples[6 * TIMES];
     int32_t element, quantity;
-    for (element = 0; element < beam.elements; element++) {
+    for (element = BEAM_ELEMENT(0); element < BEAM_ELEMENT(beam.elements); element++) {
         for (quantity = PDN_BEAM_STRAIN; quantity <= PDN_BEAM_FORCE; quantity++) {
             const double station = 0.4;
             struct series series;
@@ -817,7 +817,7 @@ int main(void)
     pdn_model_free(model);
     the_rotor_moves_as_prescribed();
     the_top_turns_by_its_angles();
-    for (node = 0; node <= top; node++)
+    for (node = NODE(0); node <= top; node++)
         quantities_of_a_node_fit(node);
     times_may_be_any();
     the_motor_drives_its_angle();

@@ -100,8 +100,9 @@ static void angles(const pdn_solution *solution, double period, double *times, d
     int i;
     for (i = 0; i < TIMES; i++)
         times[i] = period * (0.03 + 0.17 * i);
-    CHECK_STATUS(pdn_solution_joint_coordinate(solution, 0, PDN_ROTATION, times, TIMES, angle),
-                 PDN_OK);
+    CHECK_STATUS(
+        pdn_solution_joint_coordinate(solution, JOINT(0), PDN_ROTATION, times, TIMES, angle),
+        PDN_OK);
 }
 
 /* The angle is the exact one, as far as the grid can show it. */
@@ -320,10 +321,12 @@ static void a_solve_may_start_from_given_motions(void)
 
     CHECK_STATUS(pdn_solution_grid_times(first, times, GUESS_POINTS), PDN_OK);
     for (node = 0; node < GUESS_NODES; node++) {
-        CHECK_STATUS(pdn_solution_node_position(first, node, times, GUESS_POINTS, positions[node]),
-                     PDN_OK);
-        CHECK_STATUS(pdn_solution_node_rotation(first, node, times, GUESS_POINTS, rotations[node]),
-                     PDN_OK);
+        CHECK_STATUS(
+            pdn_solution_node_position(first, NODE(node), times, GUESS_POINTS, positions[node]),
+            PDN_OK);
+        CHECK_STATUS(
+            pdn_solution_node_rotation(first, NODE(node), times, GUESS_POINTS, rotations[node]),
+            PDN_OK);
     }
     pdn_solution_free(first);
     options.guess_positions = positions[0];
@@ -366,8 +369,8 @@ static void grid_points_may_be_closer_together(void)
         CHECK(grid[i] > grid[i - 1] && grid[i] < PERIOD);
     CHECK_STATUS(pdn_solution_sharp_event_count(mapped, &count), PDN_OK);
     CHECK(count == EVENTS);
-    CHECK_STATUS(
-        pdn_solution_sharp_events(mapped, found_times, found_widths, found_shares, EVENTS), PDN_OK);
+    CHECK_STATUS(pdn_solution_sharp_events(mapped, found_times, found_widths, found_shares, EVENTS),
+                 PDN_OK);
     for (i = 0; i < EVENTS; i++) {
         CHECK(fabs(found_times[i] - times[i]) < 1e-12 * PERIOD);
         CHECK(fabs(found_widths[i] - widths[i]) < 1e-12 * PERIOD);
@@ -697,10 +700,11 @@ static void joints_too_many_are_tolerated_or_named(void)
     pdn_signal swing;
     double single[6], half[6];
     int32_t joint, i;
-    CHECK_STATUS(pdn_solution_joint_reaction(solution, 0, PDN_FRAME_SPACE, &instant, 1, single),
-                 PDN_OK);
+    CHECK_STATUS(
+        pdn_solution_joint_reaction(solution, JOINT(0), PDN_FRAME_SPACE, &instant, 1, single),
+        PDN_OK);
     pdn_solution_free(solution);
-    CHECK_STATUS(pdn_model_add_revolute(model, PDN_GROUND, 0, ORIGIN, AXIS, &joint), PDN_OK);
+    CHECK_STATUS(pdn_model_add_revolute(model, PDN_GROUND, NODE(0), ORIGIN, AXIS, &joint), PDN_OK);
     solution = solve(model, &options);
     CHECK(pdn_solution_outcome(solution) == PDN_CONVERGED);
     CHECK(reports(solution, "5 redundant constraints among joints 0, 1"));
@@ -712,9 +716,10 @@ static void joints_too_many_are_tolerated_or_named(void)
     pdn_model_free(model);
 
     model = pendulum();
-    CHECK_STATUS(pdn_model_add_revolute(model, PDN_GROUND, 0, ORIGIN, across, &joint), PDN_OK);
+    CHECK_STATUS(pdn_model_add_revolute(model, PDN_GROUND, NODE(0), ORIGIN, across, &joint),
+                 PDN_OK);
     cosine_moment(&swing);
-    CHECK_STATUS(pdn_model_prescribe(model, 0, PDN_ROTATION, &swing), PDN_OK);
+    CHECK_STATUS(pdn_model_prescribe(model, JOINT(0), PDN_ROTATION, &swing), PDN_OK);
     solution = solve(model, &options);
     CHECK(pdn_solution_outcome(solution) == PDN_INCONSISTENT);
     CHECK(reports(solution, "locked") && reports(solution, "joints 0, 1"));
@@ -735,9 +740,10 @@ static void a_solution_outlives_its_model(void)
 
     angles(solution, PERIOD, times, before);
     CHECK_STATUS(pdn_model_set_gravity(model, gravity), PDN_OK);
-    CHECK_STATUS(pdn_model_add_spring_damper(model, 0, PDN_ROTATION, 100, 0, 0.4, NULL), PDN_OK);
+    CHECK_STATUS(pdn_model_add_spring_damper(model, JOINT(0), PDN_ROTATION, 100, 0, 0.4, NULL),
+                 PDN_OK);
     CHECK_STATUS(pdn_model_add_rigid_body(model, MASS, CENTRE, MOMENTS_OF_INERTIA, &node), PDN_OK);
-    CHECK_STATUS(pdn_model_add_rigid_joint(model, 0, node, CENTRE, &joint), PDN_OK);
+    CHECK_STATUS(pdn_model_add_rigid_joint(model, NODE(0), node, CENTRE, &joint), PDN_OK);
     angles(solution, PERIOD, times, after);
     CHECK(memcmp(before, after, sizeof before) == 0);
     CHECK_STATUS(pdn_solution_node_position(solution, node, times, 0, NULL), PDN_ERR_ID);

@@ -36,7 +36,7 @@ static int model_changed(void)
 #include "refusal.h"
 
 static const double not_positive[] = {0.0, -0.0, -1.0};
-static const int32_t bad_ids[] = {-1, -2, -5, 99, INT32_MAX, INT32_MIN};
+static const int32_t bad_ids[] = {-1, NO_IDS};
 static const size_t bad_counts[] = {0, 1, 2, 4, 5, (size_t)-1};
 static const size_t huge_counts[] = {(size_t)-1, (size_t)-1 / 2, (size_t)-1 / 8};
 static const size_t even[] = {0, 2, 30, (size_t)-2};
@@ -46,8 +46,7 @@ static const size_t bad_struct_sizes[] = {0, 1, 7, 8, 72, 5000, (size_t)-1};
     REFUSES_EACH(variable, int32_t, bad_ids, call, PDN_ERR_ID, name ": expected ")
 #define REFUSES_ENUMS(variable, call, name)                                                        \
     do {                                                                                           \
-        REFUSES_EACH(variable, int32_t, bad_enums, call, PDN_ERR_VALUE,                            \
-                     name ": expected PDN_");                                                      \
+        REFUSES_EACH(variable, int32_t, bad_enums, call, PDN_ERR_VALUE, name ": expected PDN_");   \
         REFUSES_OTHER_ROLES(variable, call, name ": expected PDN_");                               \
     } while (0)
 #define REFUSES_SIZES(variable, sizes, call, name)                                                 \
@@ -87,7 +86,6 @@ static void set_up(void)
     pdn_signal signal;
     pdn_beam beam;
 
-
     PDN_INIT(pdn_section, &section);
     PDN_INIT(pdn_signal, &signal);
     CHECK_STATUS(pdn_section_set_diagonal(&section, stiffness, mass), PDN_OK);
@@ -95,9 +93,11 @@ static void set_up(void)
     CHECK_STATUS(pdn_model_new(&model), PDN_OK);
     CHECK_STATUS(pdn_model_add_straight_beam(model, origin, end, up, &section, 1, 1, &beam),
                  PDN_OK);
-    CHECK_STATUS(pdn_model_add_revolute(model, PDN_GROUND, 0, origin, axis, &joint), PDN_OK);
-    CHECK_STATUS(pdn_model_add_spring_damper(model, 0, PDN_ROTATION, 10, 1, 0, NULL), PDN_OK);
-    CHECK_STATUS(pdn_model_add_load(model, 1, PDN_FRAME_MATERIAL, PDN_FORCE_2, &signal), PDN_OK);
+    CHECK_STATUS(pdn_model_add_revolute(model, PDN_GROUND, NODE(0), origin, axis, &joint), PDN_OK);
+    CHECK_STATUS(pdn_model_add_spring_damper(model, JOINT(0), PDN_ROTATION, 10, 1, 0, NULL),
+                 PDN_OK);
+    CHECK_STATUS(pdn_model_add_load(model, NODE(1), PDN_FRAME_MATERIAL, PDN_FORCE_2, &signal),
+                 PDN_OK);
     CHECK_STATUS(pdn_model_add_rigid_body(model, 1, end, inertia, &node), PDN_OK);
     CHECK_STATUS(pdn_model_add_revolute(model, PDN_GROUND, node, end, axis, &joint), PDN_OK);
     CHECK_STATUS(pdn_model_prescribe(model, joint, PDN_ROTATION, &signal), PDN_OK);
@@ -117,6 +117,9 @@ static void set_up(void)
     in.grid_count = in.points = POINTS;
     in.decay_count = (POINTS + 1) / 2;
     in.harmonics = (POINTS - 1) / 2;
+    in.node = NODE(0);
+    in.joint = JOINT(0);
+    in.element = BEAM_ELEMENT(0);
     in.coordinate = in.detail = PDN_ROTATION;
     in.frame = in.axes = PDN_FRAME_SPACE;
     in.node_quantity = PDN_NODE_POSITION;
@@ -424,13 +427,13 @@ static void samples_of_joints(void)
         chosen_at_times *const sample = of_coordinates[f];
 #define CALL sample(solution, in.joint, in.coordinate, times, in.count, values)
         POINTERS
-        in.joint = 1;
+        in.joint = JOINT(1);
         REFUSES_BAD_SAMPLING(CALL);
         REFUSES_IDS(in.joint, CALL, "joint");
         REFUSES_ENUMS(in.coordinate, CALL, "coordinate");
         REFUSES_EACH(in.coordinate, int32_t, lacking, CALL, PDN_ERR_NOT_AVAILABLE,
                      "coordinate: expected one of a revolute joint");
-        in.joint = 0;
+        in.joint = JOINT(0);
         if (sample == pdn_solution_joint_driving_effort)
             REFUSED(CALL, PDN_ERR_NOT_AVAILABLE, "");
 #undef CALL
@@ -490,7 +493,7 @@ static void harmonics(void)
     for (in.joint_quantity = PDN_JOINT_COORDINATE; in.joint_quantity <= PDN_JOINT_REACTION;
          in.joint_quantity++) {
         in.detail = in.joint_quantity == PDN_JOINT_REACTION ? PDN_FRAME_SECOND : PDN_ROTATION;
-        in.joint = 1;
+        in.joint = JOINT(1);
         REFUSES_IDS(in.joint, CALL, "joint");
         REFUSES_ENUMS(in.joint_quantity, CALL, "quantity");
         REFUSES_ENUMS(in.detail, CALL, "detail");
@@ -498,7 +501,7 @@ static void harmonics(void)
         CHECK_STATUS(CALL, PDN_OK);
         if (in.joint_quantity != PDN_JOINT_REACTION)
             REFUSES_EACH(in.detail, int32_t, lacking, CALL, PDN_ERR_NOT_AVAILABLE, "coordinate: ");
-        in.joint = 0;
+        in.joint = JOINT(0);
         if (in.joint_quantity == PDN_JOINT_DRIVING_EFFORT)
             REFUSED(CALL, PDN_ERR_NOT_AVAILABLE, "");
     }
@@ -615,9 +618,9 @@ static void grids_too_coarse(void)
     CHECK_STATUS(pdn_solve_periodic(made, in.period, &in.options, &coarse), PDN_OK);
     CHECK(pdn_solution_outcome(coarse) == PDN_CONVERGED);
     for (f = 0; f < LENGTH(plain_of_nodes); f++)
-        REFUSED(plain_of_nodes[f](coarse, 0, &time, 1, out.values), PDN_ERR_GRID_TOO_COARSE, "");
+        REFUSED(plain_of_nodes[f](coarse, NODE(0), &time, 1, out.values), PDN_ERR_GRID_TOO_COARSE, "");
     for (f = 0; f < LENGTH(framed_of_nodes); f++)
-        REFUSED(framed_of_nodes[f](coarse, 0, PDN_FRAME_SPACE, &time, 1, out.values),
+        REFUSED(framed_of_nodes[f](coarse, NODE(0), PDN_FRAME_SPACE, &time, 1, out.values),
                 PDN_ERR_GRID_TOO_COARSE, "");
     in.options.grid_points = 5;
     in.options.initial = coarse;

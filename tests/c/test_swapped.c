@@ -1,5 +1,5 @@
-/* Calls with two of their integers exchanged: where one is a constant and the other an id, a number
- * or a constant of another role, they are refused. */
+/* Calls with two of their integers exchanged: unless both are numbers, or ids of things of one
+ * kind, they are refused. */
 #include "near.h"
 #include <stdio.h>
 
@@ -86,7 +86,7 @@ static pdn_status add_coordinate_law(const int32_t *v)
 
 static pdn_status add_user_force(const int32_t *v)
 {
-    const int32_t node = 0;
+    const int32_t node = NODE(0);
     return pdn_model_add_user_force(model, &node, 1, v[0], v[1], forces, NULL, NULL, NULL);
 }
 
@@ -154,41 +154,53 @@ static pdn_status force_harmonics(const int32_t *v)
     return pdn_solution_force_harmonics(solution, v[0], v[1], v[2], 0, values, NULL, NULL, NULL);
 }
 
+/* Whether these may well be meant the other way round. */
+static int are_alike(int32_t a, int32_t b)
+{
+    const int32_t span = PDN_FIRST_JOINT - PDN_FIRST_NODE;
+    const int numbers = a < 100 && b < 100 && a >= 0 && b >= 0;
+    const int bodies = (a == PDN_GROUND || a / span == 1) && (b == PDN_GROUND || b / span == 1);
+    return numbers || bodies || (a >= span && a / span == b / span);
+}
+
 static const struct {
     const char *name;
     pdn_status (*call)(const int32_t *);
     int count;
     int32_t values[MOST];
 } cases[] = {
-    {"prescribe", prescribe, 2, {2, PDN_ROTATION}},
-    {"joint", add_joint, 3, {PDN_JOINT_FREE, 0, 1}},
-    {"load", add_load, 3, {0, PDN_FRAME_SPACE, PDN_FORCE_1}},
-    {"distributed", add_distributed_load, 4, {0, 1, PDN_FRAME_SPACE, PDN_FORCE_1}},
-    {"shell", add_shell_load, 5, {0, 1, PDN_SHELL_SURFACE, PDN_FRAME_SPACE, PDN_FORCE_1}},
-    {"spring", add_spring_damper, 2, {0, PDN_ROTATION}},
-    {"nonlinear", add_nonlinear, 2, {0, PDN_ROTATION}},
-    {"actuator", add_actuator, 2, {0, PDN_ROTATION}},
-    {"viscoelastic", add_viscoelastic, 2, {0, PDN_ROTATION}},
-    {"bushing", add_bushing, 3, {PDN_GROUND, 0, PDN_ANGLES_ROTATION_VECTOR}},
-    {"law", add_coordinate_law, 3, {0, PDN_ROTATION, PDN_TANGENTS_DIFFERENCED}},
+    {"prescribe", prescribe, 2, {JOINT(2), PDN_ROTATION}},
+    {"joint", add_joint, 3, {PDN_JOINT_FREE, NODE(0), NODE(1)}},
+    {"load", add_load, 3, {NODE(0), PDN_FRAME_SPACE, PDN_FORCE_1}},
+    {"distributed", add_distributed_load, 4, {BEAM_ELEMENT(0), 1, PDN_FRAME_SPACE, PDN_FORCE_1}},
+    {"shell",
+     add_shell_load,
+     5,
+     {SHELL_ELEMENT(0), 1, PDN_SHELL_SURFACE, PDN_FRAME_SPACE, PDN_FORCE_1}},
+    {"spring", add_spring_damper, 2, {JOINT(0), PDN_ROTATION}},
+    {"nonlinear", add_nonlinear, 2, {JOINT(0), PDN_ROTATION}},
+    {"actuator", add_actuator, 2, {JOINT(0), PDN_ROTATION}},
+    {"viscoelastic", add_viscoelastic, 2, {JOINT(0), PDN_ROTATION}},
+    {"bushing", add_bushing, 3, {PDN_GROUND, NODE(0), PDN_ANGLES_ROTATION_VECTOR}},
+    {"law", add_coordinate_law, 3, {JOINT(0), PDN_ROTATION, PDN_TANGENTS_DIFFERENCED}},
     {"user force", add_user_force, 2, {PDN_FRAME_SPACE, PDN_TANGENTS_DIFFERENCED}},
-    {"label", set_label, 2, {PDN_OBJECT_NODE, 0}},
-    {"number", move_number, 4, {0, PDN_NUMBER_STIFFNESS, 0, 1}},
-    {"signal", move_signal, 5, {0, PDN_SIGNAL_OF_LOAD, 0, PDN_FORCE_1, PDN_PART_MEAN}},
-    {"force number", force_number, 3, {0, PDN_NUMBER_STIFFNESS, 0}},
+    {"label", set_label, 2, {PDN_OBJECT_NODE, NODE(0)}},
+    {"number", move_number, 4, {PARAMETER(0), PDN_NUMBER_STIFFNESS, FORCE(0), 1}},
+    {"signal", move_signal, 5, {PARAMETER(0), PDN_SIGNAL_OF_LOAD, 0, PDN_FORCE_1, PDN_PART_MEAN}},
+    {"force number", force_number, 3, {FORCE(0), PDN_NUMBER_STIFFNESS, 0}},
     {"sample", sample_signal, 3, {PDN_SIGNAL_OF_LOAD, 0, PDN_FORCE_1}},
-    {"velocity", node_velocity, 2, {0, PDN_FRAME_SPACE}},
-    {"acceleration", node_acceleration, 2, {0, PDN_FRAME_MATERIAL}},
-    {"coordinate", joint_coordinate, 2, {0, PDN_ROTATION}},
-    {"rate", joint_rate, 2, {0, PDN_ROTATION}},
-    {"acceleration of a joint", joint_acceleration, 2, {0, PDN_ROTATION}},
-    {"driving effort", joint_driving_effort, 2, {1, PDN_ROTATION}},
-    {"reaction", joint_reaction, 2, {0, PDN_FRAME_FIRST}},
-    {"force on node", force_on_node, 3, {0, 0, PDN_FRAME_SPACE}},
-    {"node harmonics", node_harmonics, 2, {0, PDN_NODE_POSITION}},
-    {"joint harmonics", joint_harmonics, 3, {0, PDN_JOINT_COORDINATE, PDN_ROTATION}},
-    {"beam harmonics", beam_harmonics, 2, {0, PDN_BEAM_STRAIN}},
-    {"force harmonics", force_harmonics, 3, {0, PDN_FORCE_EFFORT, 0}},
+    {"velocity", node_velocity, 2, {NODE(0), PDN_FRAME_SPACE}},
+    {"acceleration", node_acceleration, 2, {NODE(0), PDN_FRAME_MATERIAL}},
+    {"coordinate", joint_coordinate, 2, {JOINT(0), PDN_ROTATION}},
+    {"rate", joint_rate, 2, {JOINT(0), PDN_ROTATION}},
+    {"acceleration of a joint", joint_acceleration, 2, {JOINT(0), PDN_ROTATION}},
+    {"driving effort", joint_driving_effort, 2, {JOINT(1), PDN_ROTATION}},
+    {"reaction", joint_reaction, 2, {JOINT(0), PDN_FRAME_FIRST}},
+    {"force on node", force_on_node, 3, {FORCE(0), NODE(0), PDN_FRAME_SPACE}},
+    {"node harmonics", node_harmonics, 2, {NODE(0), PDN_NODE_POSITION}},
+    {"joint harmonics", joint_harmonics, 3, {JOINT(0), PDN_JOINT_COORDINATE, PDN_ROTATION}},
+    {"beam harmonics", beam_harmonics, 2, {BEAM_ELEMENT(0), PDN_BEAM_STRAIN}},
+    {"force harmonics", force_harmonics, 3, {FORCE(0), PDN_FORCE_EFFORT, 0}},
 };
 
 /* A body on a hinge, another that is driven, a third on one, a beam, and a shell. */
@@ -214,8 +226,8 @@ static pdn_model *made(void)
     }
     PDN_INIT(pdn_signal, &signal);
     CHECK_STATUS(pdn_signal_set_constant(&signal, 0.1), PDN_OK);
-    CHECK_STATUS(pdn_model_prescribe(out, 1, PDN_ROTATION, &signal), PDN_OK);
-    CHECK_STATUS(pdn_model_add_load(out, 0, PDN_FRAME_SPACE, PDN_FORCE_1, &signal), PDN_OK);
+    CHECK_STATUS(pdn_model_prescribe(out, JOINT(1), PDN_ROTATION, &signal), PDN_OK);
+    CHECK_STATUS(pdn_model_add_load(out, NODE(0), PDN_FRAME_SPACE, PDN_FORCE_1, &signal), PDN_OK);
     PDN_INIT(pdn_section, &section);
     for (i = 0; i < 6; i++)
         section.stiffness[7 * i] = stiffness[i];
@@ -266,8 +278,7 @@ int main(void)
             for (j = 0; j < i; j++) {
                 int32_t v[MOST];
                 memcpy(v, cases[c].values, sizeof v);
-                /* Two ids or numbers may well be meant so. */
-                if (v[i] < 100 && v[j] < 100)
+                if (are_alike(v[i], v[j]))
                     continue;
                 v[i] = cases[c].values[j];
                 v[j] = cases[c].values[i];

@@ -23,8 +23,9 @@ static void periodic(const pdn_model *of, int32_t threads, int32_t solver, doubl
     CHECK_STATUS(pdn_solve_periodic(of, 2, &options, &found), PDN_OK);
     CHECK(pdn_solution_outcome(found) == PDN_CONVERGED);
     CHECK_STATUS(pdn_solution_node_position(found, parts.body, times, 2, out), PDN_OK);
-    CHECK_STATUS(pdn_solution_node_velocity(found, parts.beam.last, PDN_FRAME_SPACE, times, 2,
-                                            out + 6), PDN_OK);
+    CHECK_STATUS(
+        pdn_solution_node_velocity(found, parts.beam.last, PDN_FRAME_SPACE, times, 2, out + 6),
+        PDN_OK);
     pdn_solution_free(found);
 }
 
@@ -94,7 +95,8 @@ static void *thread(void *unused)
         work(own, found);
         CHECK(memcmp(found, expected, sizeof found) == 0);
         /* Each has its own message. */
-        CHECK_STATUS(pdn_model_add_rigid_joint(own, 99, 98, expected, NULL), PDN_ERR_ID);
+        CHECK_STATUS(pdn_model_add_rigid_joint(own, NODE(99), NODE(98), expected, NULL),
+                     PDN_ERR_ID);
         CHECK_MESSAGE("99");
         pdn_model_free(own);
     }

@@ -171,33 +171,37 @@ static void solutions()
     REFUSED(s.filtered(pdn::Filter::lanczos, 0), PDN_ERR_VALUE, "order: ");
     REFUSED(s.node_position(1, {0}), PDN_ERR_ID, "node: ");
     REFUSED(s.node_rotation(-1, {0}), PDN_ERR_ID, "node: ");
-    REFUSED(s.node_quaternion(0, {0, nan_value}), PDN_ERR_NOT_FINITE, "times[1]: ");
-    REFUSED(s.node_velocity(0, static_cast<Frame>(5), {0}), PDN_ERR_VALUE, "frame: ");
-    REFUSED(s.node_acceleration(0, Frame::space, {infinity}), PDN_ERR_NOT_FINITE, "times: ");
-    REFUSED(s.joint_coordinate(0, Coordinate::displacement, {0}), PDN_ERR_NOT_AVAILABLE,
-            "coordinate: ");
+    REFUSED(s.node_quaternion(pdn::first_node, {0, nan_value}), PDN_ERR_NOT_FINITE, "times[1]: ");
+    REFUSED(s.node_velocity(pdn::first_node, static_cast<Frame>(5), {0}), PDN_ERR_VALUE, "frame: ");
+    REFUSED(s.node_acceleration(pdn::first_node, Frame::space, {infinity}), PDN_ERR_NOT_FINITE,
+            "times: ");
+    REFUSED(s.joint_coordinate(pdn::first_joint, Coordinate::displacement, {0}),
+            PDN_ERR_NOT_AVAILABLE, "coordinate: ");
     REFUSED(s.joint_rate(2, Coordinate::rotation, {0}), PDN_ERR_ID, "joint: ");
-    REFUSED(s.joint_acceleration(0, static_cast<Coordinate>(9), {0}), PDN_ERR_VALUE,
+    REFUSED(s.joint_acceleration(pdn::first_joint, static_cast<Coordinate>(9), {0}), PDN_ERR_VALUE,
             "coordinate: ");
-    REFUSED(s.joint_driving_effort(0, Coordinate::rotation, {0}), PDN_ERR_NOT_AVAILABLE,
-            "coordinate: ");
-    REFUSED(s.joint_reaction(0, static_cast<pdn::Axes>(4), {0}), PDN_ERR_VALUE, "axes: ");
+    REFUSED(s.joint_driving_effort(pdn::first_joint, Coordinate::rotation, {0}),
+            PDN_ERR_NOT_AVAILABLE, "coordinate: ");
+    REFUSED(s.joint_reaction(pdn::first_joint, static_cast<pdn::Axes>(4), {0}), PDN_ERR_VALUE,
+            "axes: ");
     REFUSED(s.beam_strain(0, 0, {0}), PDN_ERR_ID, "element: ");
-    REFUSED(s.beam_force(0, 2, {0}), PDN_ERR_VALUE, "station: ");
+    REFUSED(s.beam_force(pdn::first_beam_element, 2, {0}), PDN_ERR_VALUE, "station: ");
     REFUSED(s.force_effort(4, {0}), PDN_ERR_ID, "force: ");
-    REFUSED(s.force_branch_effort(0, 0, {0}), PDN_ERR_NOT_AVAILABLE, "branch: ");
-    REFUSED(s.force_branch_elongation(0, 0, {0}), PDN_ERR_NOT_AVAILABLE, "branch: ");
-    REFUSED(s.force_on_node(0, 7, Frame::space, {0}), PDN_ERR_ID, "node: ");
+    REFUSED(s.force_branch_effort(pdn::first_force, 0, {0}), PDN_ERR_NOT_AVAILABLE, "branch: ");
+    REFUSED(s.force_branch_elongation(pdn::first_force, 0, {0}), PDN_ERR_NOT_AVAILABLE, "branch: ");
+    REFUSED(s.force_on_node(pdn::first_force, 7, Frame::space, {0}), PDN_ERR_ID, "node: ");
     const std::size_t huge = std::numeric_limits<std::size_t>::max() / 2;
-    REFUSED(s.node_harmonics(0, pdn::NodeQuantity::position, huge), PDN_ERR_SIZE, "harmonics: ");
-    REFUSED(s.node_harmonics(0, static_cast<pdn::NodeQuantity>(50), 1), PDN_ERR_VALUE,
+    REFUSED(s.node_harmonics(pdn::first_node, pdn::NodeQuantity::position, huge), PDN_ERR_SIZE,
+            "harmonics: ");
+    REFUSED(s.node_harmonics(pdn::first_node, static_cast<pdn::NodeQuantity>(50), 1), PDN_ERR_VALUE,
             "quantity: ");
-    REFUSED(s.joint_harmonics(0, pdn::JointQuantity::rate, Coordinate::rotation, huge),
-            PDN_ERR_SIZE, "harmonics: ");
+    REFUSED(
+        s.joint_harmonics(pdn::first_joint, pdn::JointQuantity::rate, Coordinate::rotation, huge),
+        PDN_ERR_SIZE, "harmonics: ");
     REFUSED(s.joint_reaction_harmonics(3, pdn::Axes::space, 1), PDN_ERR_ID, "joint: ");
     REFUSED(s.beam_harmonics(0, 0, pdn::BeamQuantity::force, 1), PDN_ERR_ID, "element: ");
-    REFUSED(s.force_harmonics(0, static_cast<pdn::ForceQuantity>(-3), 0, 1), PDN_ERR_VALUE,
-            "quantity: ");
+    REFUSED(s.force_harmonics(pdn::first_force, static_cast<pdn::ForceQuantity>(-3), 0, 1),
+            PDN_ERR_VALUE, "quantity: ");
 }
 
 static void motions()

@@ -5,6 +5,16 @@
 
 using pdn::Coordinate;
 
+static std::int32_t node(std::int32_t number)
+{
+    return pdn::first_node + number;
+}
+
+static std::int32_t joint(std::int32_t number)
+{
+    return pdn::first_joint + number;
+}
+
 static void library()
 {
     CHECK(pdn::version() == std::to_string(PDN_VERSION_MAJOR) + "." +
@@ -205,17 +215,17 @@ static void beams()
     NEAR(middle.position[0], same.position[0], 1e-12);
     NEAR(middle.rotation[0], same.rotation[0], 1e-10);
     const auto one = curved.add_node({0, 0, 9}), other = curved.add_node({1, 0, 9});
-    CHECK(curved.add_beam_element({one, other}, thin) == 6);
+    CHECK(curved.add_beam_element({one, other}, thin) == pdn::first_beam_element + 6);
     NEAR(curved.mass().mass, 2 * (pi / 2) * 2 + 2, 1e-4); // the error of the mesh
 
     curved.add_distributed_load(arc.first_element, arc.elements, pdn::Frame::space,
                                 pdn::Component::force_3, 2.0, {0, 1}, {1, 2});
     curved.add_distributed_load(curve.first_element, 1, pdn::Frame::material,
                                 pdn::Component::moment_1, [](double) { return 0.0; });
-    curved.add_load_at_places(curve.first_element, curve.elements, pdn::Frame::untwisted, {0, 1},
-                              {{0.0, 1.0, [](double) { return 2.0; }, 0.0, 0.0, 0.0},
-                               {0.0, 0.0, 0.0, 0.0, 0.0, 0.0}},
-                              axis_3);
+    curved.add_load_at_places(
+        curve.first_element, curve.elements, pdn::Frame::untwisted, {0, 1},
+        {{0.0, 1.0, [](double) { return 2.0; }, 0.0, 0.0, 0.0}, {0.0, 0.0, 0.0, 0.0, 0.0, 0.0}},
+        axis_3);
     thin.set_component_damping({1e-4, 1e-4, 1e-4, 2e-4, 2e-4, 2e-4});
     CHECK(thin.damping[21] == 2e-4 * thin.stiffness[21]);
 }
@@ -251,11 +261,11 @@ static void everything()
              m.add_joint(pdn::JointKind::spherical, a, b, at_origin, at_origin),
              m.add_screw_between(a, b, at_origin, at_origin, -0.2),
          }) {
-        CHECK(joint == joints++);
+        CHECK(joint == pdn::first_joint + joints++);
     }
     CHECK(m.joint_count() == joints);
-    m.prescribe(0, Coordinate::displacement, 0.1);
-    m.prescribe(8, Coordinate::rotation, pdn::Signal::samples(0, {0, 0.1, 0}));
+    m.prescribe(pdn::first_joint, Coordinate::displacement, 0.1);
+    m.prescribe(joint(8), Coordinate::rotation, pdn::Signal::samples(0, {0, 0.1, 0}));
     m.set_gravity({0, 0, -9.81});
     m.set_gravity(0.0, 0.0, [](double) { return -9.81; });
     m.set_turning_frame({0, 0, 2}, 1.5, {1, 0, 0});
@@ -264,11 +274,11 @@ static void everything()
     pdn::Model rotor;
     for (const double x : {0.0, 1.0, 2.0, 3.0})
         rotor.add_node({x, 0, 0});
-    rotor.set_rotor_symmetry({0, 0, 2}, 3, {0, 1, 2}, {3}, {1, 0, 0});
+    rotor.set_rotor_symmetry({0, 0, 2}, 3, {node(0), node(1), node(2)}, {node(3)}, {1, 0, 0});
     const pdn::RotorSymmetry said = rotor.rotor_symmetry();
     CHECK(said.axis[2] == 1 && said.point[0] == 1 && said.blades == 3);
     CHECK(said.nodes_of_blade == 1 && said.hub_nodes == 1);
-    CHECK(rotor.rotor_node(2, 0) == 2 && rotor.rotor_node(-1, 0) == 3);
+    CHECK(rotor.rotor_node(2, 0) == node(2) && rotor.rotor_node(-1, 0) == node(3));
     pdn::Conditions phases;
     phases.add_rotation_phase(frame.axis);
     phases.add_translation_phase({1, 0, 0});
@@ -276,20 +286,21 @@ static void everything()
     phases.add_angular_momentum(frame.axis, 2, {1, 0, 0});
     std::int32_t forces = 0;
     for (const auto force : {
-             m.add_spring_damper(6, Coordinate::displacement_2, 1),
-             m.add_nonlinear_spring_damper(6, Coordinate::displacement_3, {1, 0, 2}, {0.1}),
-             m.add_actuator(6, Coordinate::rotation_2, 0.5),
-             m.add_viscoelastic(6, Coordinate::rotation_3, 1, 0, {2, 3}, {0.1, 0.2}),
+             m.add_spring_damper(joint(6), Coordinate::displacement_2, 1),
+             m.add_nonlinear_spring_damper(joint(6), Coordinate::displacement_3, {1, 0, 2}, {0.1}),
+             m.add_actuator(joint(6), Coordinate::rotation_2, 0.5),
+             m.add_viscoelastic(joint(6), Coordinate::rotation_3, 1, 0, {2, 3}, {0.1, 0.2}),
              m.add_viscous_damper(a, b, unit),
              m.add_viscous_damper(pdn::ground, b, at_origin, unit),
              m.add_bushing(pdn::ground, b, at_origin, at_origin, unit, unit),
              m.add_bushing(a, b, at_origin, at_origin, {}, unit, pdn::BushingAngles::tilt_and_spin),
-             m.add_coordinate_law(6, Coordinate::rotation,
+             m.add_coordinate_law(joint(6), Coordinate::rotation,
                                   [](double, double q, double rate) { return q + rate; }),
              m.add_user_force({a, b}, pdn::Frame::space, pdn::Tangents::differenced,
                               [](const pdn::ForceState &, pdn::ForceValues &) {}),
-             m.add_controller({6, 8}, {Coordinate::rotation_2, Coordinate::rotation}, {6},
-                              {Coordinate::rotation_2}, {0.5}, {2}, pdn::Tangents::given,
+             m.add_controller({joint(6), joint(8)}, {Coordinate::rotation_2, Coordinate::rotation},
+                              {joint(6)}, {Coordinate::rotation_2}, {0.5}, {2},
+                              pdn::Tangents::given,
                               [](const pdn::ControllerState &at, pdn::ControllerValues &out) {
                                   out.effort(0) = -at.state(0) * at.input(1);
                                   out.state_rate(0) = at.input_rate(0) - at.state(0);
@@ -301,29 +312,31 @@ static void everything()
                                   }
                               }),
          }) {
-        CHECK(force == forces++);
+        CHECK(force == pdn::first_force + forces++);
     }
-    const std::int32_t controller = forces - 1;
+    const std::int32_t controller = pdn::first_force + forces - 1;
     CHECK(m.controller_counts(controller) == (std::array<std::int32_t, 3>{2, 1, 1}));
     CHECK(m.controller_coordinate(controller, 1).second == Coordinate::rotation);
-    CHECK(m.controller_coordinate(controller, 2).first == 6);
+    CHECK(m.controller_coordinate(controller, 2).first == joint(6));
     CHECK(m.controller_state(controller, 0) == (std::pair<double, double>{0.5, 2}));
     CHECK(m.check_tangents(controller, 2).error < 1e-7);
     m.bind_controller(controller, pdn::Tangents::differenced,
                       [](const pdn::ControllerState &, pdn::ControllerValues &) {});
-    CHECK(m.add_relation({6, 8}, {Coordinate::rotation_2, Coordinate::rotation}, {1, -2}) == 0);
-    CHECK(m.add_relation({6, 8}, {Coordinate::rotation_3, Coordinate::rotation}, {1, 3}, 0.5) == 1);
+    CHECK(m.add_relation({joint(6), joint(8)}, {Coordinate::rotation_2, Coordinate::rotation},
+                         {1, -2}) == pdn::first_relation);
+    CHECK(m.add_relation({joint(6), joint(8)}, {Coordinate::rotation_3, Coordinate::rotation},
+                         {1, 3}, 0.5) == pdn::first_relation + 1);
     CHECK(m.relation_count() == 2);
-    m.set_label(pdn::ObjectKind::joint, 8, "shaft");
-    CHECK(m.label(pdn::ObjectKind::joint, 8) == "shaft");
-    CHECK(m.label(pdn::ObjectKind::joint, 7).empty());
-    CHECK(m.find_label(pdn::ObjectKind::joint, "shaft") == 8);
-    CHECK(m.joint(0).kind == PDN_JOINT_PRISMATIC && m.joint(0).first == pdn::ground);
-    CHECK(m.force(1).stiffness_count == 3);
-    CHECK(m.force_number(1, pdn::ForceNumber::stiffness, 2) == 2);
-    CHECK(m.relation_terms(0)[1].coefficient == -2);
-    CHECK(m.relation_terms(0)[1].coordinate == Coordinate::rotation);
-    CHECK(m.prescribed(1).first == 8);
+    m.set_label(pdn::ObjectKind::joint, joint(8), "shaft");
+    CHECK(m.label(pdn::ObjectKind::joint, joint(8)) == "shaft");
+    CHECK(m.label(pdn::ObjectKind::joint, joint(7)).empty());
+    CHECK(m.find_label(pdn::ObjectKind::joint, "shaft") == joint(8));
+    CHECK(m.joint(joint(0)).kind == PDN_JOINT_PRISMATIC && m.joint(joint(0)).first == pdn::ground);
+    CHECK(m.force(pdn::first_force + 1).stiffness_count == 3);
+    CHECK(m.force_number(pdn::first_force + 1, pdn::ForceNumber::stiffness, 2) == 2);
+    CHECK(m.relation_terms(pdn::first_relation)[1].coefficient == -2);
+    CHECK(m.relation_terms(pdn::first_relation)[1].coordinate == Coordinate::rotation);
+    CHECK(m.prescribed(1).first == joint(8));
     CHECK(m.inertia_count() > 2 && m.inertia(0).first == a);
     CHECK(m.load_count() == 0);
     CHECK(m.sample_signal(pdn::SignalOf::gravity, 0, 2, 1, {0, 0.3})[1] == -9.81);

@@ -75,12 +75,15 @@ int main()
         {
             // The same by the edge, of which a corner is held already.
             pdn::Model held = model.copy();
-            CHECK(held.add_rigid_joints(pdn::ground, {start[0]}) == std::vector<std::int32_t>{0});
-            const auto joints = held.add_rigid_edge(pdn::ground, shell,
-                                                    pdn::ShellPlace::edge_start_xi);
-            CHECK(joints == std::vector<std::int32_t>{1});
+            CHECK(held.add_rigid_joints(pdn::ground, {start[0]}) ==
+                  std::vector<std::int32_t>{pdn::first_joint});
+            const auto joints =
+                held.add_rigid_edge(pdn::ground, shell, pdn::ShellPlace::edge_start_xi);
+            CHECK(joints == std::vector<std::int32_t>{pdn::first_joint + 1});
         }
-        NEAR(stretch_of(model, start[0], 1, model.shell_node(shell, 4, 1), start), expected, 1e-12);
+        NEAR(stretch_of(model, start[0], pdn::first_shell_element + 1,
+                        model.shell_node(shell, 4, 1), start),
+             expected, 1e-12);
     }
     {
         // A pressure by a function is the load; drag takes a velocity that there is not.
@@ -90,7 +93,8 @@ int main()
             model.add_rigid_edge(pdn::ground, shell, pdn::ShellPlace::edge_start_xi);
             if (by_function) {
                 const auto first = model.add_surface_force(
-                    1, 1, pdn::ShellPlace::surface, pdn::Frame::material, pdn::Tangents::given,
+                    pdn::first_shell_element + 1, 1, pdn::ShellPlace::surface, pdn::Frame::material,
+                    pdn::Tangents::given,
                     [](const pdn::SurfaceState &state, pdn::SurfaceValues &values) {
                         double area = 0;
                         for (std::size_t k = 0; k < state.point_count(); ++k) {
@@ -102,14 +106,15 @@ int main()
                                 values.by_velocity(k, 2, 2) = -3;
                             }
                         }
-                        CHECK(state.element() == 1 && state.rotation(0)[8] > 0);
+                        CHECK(state.element() == pdn::first_shell_element + 1 &&
+                              state.rotation(0)[8] > 0);
                         NEAR(area, length * width / 2, 1e-14);
                     });
-                CHECK(first == 0 && model.check_tangents(first, 1).error < 1e-7);
-                CHECK(model.force(first).shell_element == 1);
+                CHECK(first == pdn::first_force && model.check_tangents(first, 1).error < 1e-7);
+                CHECK(model.force(first).shell_element == pdn::first_shell_element + 1);
             } else {
-                model.add_shell_load(1, 1, pdn::ShellPlace::surface, pdn::Frame::material,
-                                     pdn::Component::force_3, 0.05);
+                model.add_shell_load(pdn::first_shell_element + 1, 1, pdn::ShellPlace::surface,
+                                     pdn::Frame::material, pdn::Component::force_3, 0.05);
             }
             const auto solution = pdn::solve_static(model);
             CHECK(solution.converged());
@@ -123,9 +128,9 @@ int main()
         const std::vector<pdn::Vector3> corners = {
             {0, 0, 0}, {length, 0, 0}, {length, width, 0}, {0, width, 0}};
         const auto first = model.add_shell_quadrilaterals(corners, {0, 1, 2, 3}, 4, 2, section);
-        const std::vector<std::int32_t> start = {
-            model.shell_node(first, 0, 0), model.shell_node(first, 0, 1),
-            model.shell_node(first, 0, 2)};
+        const std::vector<std::int32_t> start = {model.shell_node(first, 0, 0),
+                                                 model.shell_node(first, 0, 1),
+                                                 model.shell_node(first, 0, 2)};
         NEAR(stretch_of(model, start[0], first, model.shell_node(first, 2, 1), start), expected,
              1e-12);
     }
@@ -140,8 +145,8 @@ int main()
                 nodes.push_back(model.add_node({x, y, 0}, turn));
             }
         }
-        CHECK(model.add_shell_element(nodes, 2, section) == 0);
-        model.set_shell_prestress(0, 1, {1, 0, 0, 0, 0, 0, 0, 1});
+        CHECK(model.add_shell_element(nodes, 2, section) == pdn::first_shell_element);
+        model.set_shell_prestress(pdn::first_shell_element, 1, {1, 0, 0, 0, 0, 0, 0, 1});
         const double pi = 3.14159265358979323846, per_area = 1200 * thickness;
         NEAR(model.mass().mass, per_area * length * width, 1e-12);
         model.add_shell(pdn::Surface::annulus({0, 0, 1}, {0, 0, 1}, {1, 0, 0}, 0.5, 1, 2 * pi),

@@ -298,7 +298,7 @@ contains
         call refused(stat, errmsg, PDN_ERR_VALUE, 'axes: ')
         call s%beam_strain(0, 0.0_dp, zero, six, stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_ID, 'element: ')
-        call s%beam_force(0, 2.0_dp, zero, six, stat, errmsg)
+        call s%beam_force(PDN_FIRST_BEAM_ELEMENT, 2.0_dp, zero, six, stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_VALUE, 'station: ')
         call s%force_effort(4, zero, one, stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_ID, 'force: ')

@@ -104,7 +104,7 @@ contains
         real(dp) :: position(3, 1)
 
         call model%add_rigid_edge(PDN_GROUND, shell, PDN_SHELL_EDGE_START_XI, first, joints)
-        call check(first == 0 .and. joints == shell%nodes_v, 'joints of an edge')
+        call check(first == PDN_FIRST_JOINT .and. joints == shell%nodes_v, 'joints of an edge')
         ! The corner is held already.
         call model%shell_patch_node(shell, 0, 0, nodes(1))
         call model%add_rigid_joints(PDN_GROUND, nodes, stat=stat)
@@ -133,17 +133,17 @@ contains
                 [2, 1], [2, 1], rubber(), shell)
             call model%add_rigid_edge(PDN_GROUND, shell, PDN_SHELL_EDGE_START_XI)
             if (k == 1) then
-                call model%add_shell_load(1, 1, PDN_SHELL_SURFACE, PDN_FRAME_MATERIAL, &
-                    PDN_FORCE_3, pdn_constant(0.05_dp))
+                call model%add_shell_load(PDN_FIRST_SHELL_ELEMENT + 1, 1, PDN_SHELL_SURFACE, &
+                    PDN_FRAME_MATERIAL, PDN_FORCE_3, pdn_constant(0.05_dp))
             else
-                call model%add_surface_force(1, 1, PDN_SHELL_SURFACE, PDN_FRAME_MATERIAL, &
-                    PDN_TANGENTS_GIVEN, wind, first_force=force)
+                call model%add_surface_force(PDN_FIRST_SHELL_ELEMENT + 1, 1, PDN_SHELL_SURFACE, &
+                    PDN_FRAME_MATERIAL, PDN_TANGENTS_GIVEN, wind, first_force=force)
                 call model%check_tangents(force, 1.0_dp, tangents)
-                call check(force == 0 .and. tangents%error < 1e-7_dp, 'tangents of wind')
+                call check(force == PDN_FIRST_FORCE .and. tangents%error < 1e-7_dp, 'tangents of wind')
             end if
             call model%solve_static(solution)
             call check(solution%converged(), 'converged')
-            call model%shell_node(1, 2, 0, node)
+            call model%shell_node(PDN_FIRST_SHELL_ELEMENT + 1, 2, 0, node)
             call solution%node_position(node, [0.0_dp], position)
             heights(k) = position(3, 1)
         end do
@@ -169,10 +169,10 @@ contains
         call model%add_node([length, 0.0_dp, 3.0_dp], node=nodes(3))
         call model%add_node([length, width, 3.0_dp], node=nodes(4))
         call model%add_shell_element(nodes, 2, rubber(), element=element)
-        call check(first == 0 .and. element == 1, 'elements')
+        call check(first == PDN_FIRST_SHELL_ELEMENT .and. element == first + 1, 'elements')
         resultants = 0
         resultants(1) = 1
-        call model%set_shell_prestress(0, 2, resultants)
+        call model%set_shell_prestress(PDN_FIRST_SHELL_ELEMENT, 2, resultants)
         call model%mass(mass)
         call near(mass, 2*per_area*length*width, 1e-12_dp, 'nodes')
         call model%add_shell(pdn_annulus(origin, axis_3, axis_1, 0.5_dp, 1.0_dp, pi), [1, 4], &
@@ -227,8 +227,8 @@ contains
         call refused(stat, errmsg, PDN_ERR_VALUE, 'u: expected 0 to 1')
         call model%shell_node(1, 0, 0, node, stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_ID, 'element: ')
-        call model%add_shell_load(0, 1, 7, PDN_FRAME_SPACE, PDN_FORCE_1, pdn_constant(1.0_dp), &
-            stat, errmsg)
+        call model%add_shell_load(PDN_FIRST_SHELL_ELEMENT, 1, 7, PDN_FRAME_SPACE, PDN_FORCE_1, &
+            pdn_constant(1.0_dp), stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_VALUE, 'place: ')
     end subroutine refusals_of_shells
 end program test_shells
