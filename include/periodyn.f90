@@ -1019,7 +1019,7 @@ module periodyn_c
             type(c_ptr), value :: model
         end subroutine pdn_model_free
 
-        ! Number of nodes; their ids are 0 ..
+        ! Number of nodes; their ids follow each other from PDN_FIRST_NODE on
         function pdn_model_node_count(model, count) bind(C, name="pdn_model_node_count")
             import
             type(c_ptr), value :: model
@@ -1027,7 +1027,7 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_node_count
         end function pdn_model_node_count
 
-        ! Number of joints; their ids are 0 ..
+        ! Number of joints; their ids follow each other from PDN_FIRST_JOINT on
         function pdn_model_joint_count(model, count) bind(C, name="pdn_model_joint_count")
             import
             type(c_ptr), value :: model
@@ -1035,7 +1035,7 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_joint_count
         end function pdn_model_joint_count
 
-        ! Number of beam elements; their ids are 0 ..
+        ! Number of beam elements; their ids follow each other from PDN_FIRST_BEAM_ELEMENT on
         function pdn_model_element_count(model, count) bind(C, name="pdn_model_element_count")
             import
             type(c_ptr), value :: model
@@ -1271,7 +1271,7 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_add_screw_between
         end function pdn_model_add_screw_between
 
-        ! Number of linear relations between joint coordinates; their ids are 0 ..
+        ! Number of linear relations between joint coordinates; their ids follow each other from PDN_FIRST_RELATION on
         function pdn_model_relation_count(model, count) bind(C, name="pdn_model_relation_count")
             import
             type(c_ptr), value :: model
@@ -1682,7 +1682,7 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_shell_patch_node
         end function pdn_model_shell_patch_node
 
-        ! Number of shell elements; their ids are 0 ..
+        ! Number of shell elements; their ids follow each other from PDN_FIRST_SHELL_ELEMENT on
         function pdn_model_shell_element_count(model, count) bind(C, name="pdn_model_shell_element_count")
             import
             type(c_ptr), value :: model
@@ -1752,7 +1752,7 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_add_rigid_edge
         end function pdn_model_add_rigid_edge
 
-        ! Number of forces: springs, dampers, actuators and the like, but not loads; their ids are 0 ..
+        ! Number of forces: springs, dampers, actuators and the like, but not loads; their ids follow each other ...
         function pdn_model_force_count(model, count) bind(C, name="pdn_model_force_count")
             import
             type(c_ptr), value :: model

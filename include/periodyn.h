@@ -3805,7 +3805,7 @@ PDN_API
 void pdn_model_free(struct pdn_model *model);
 
 /**
- * Number of nodes; their ids are 0 ... count - 1.
+ * Number of nodes; their ids follow each other from PDN_FIRST_NODE on.
  *
  * @param model  the model; not NULL
  * @param count  the number; written on success only
@@ -3819,7 +3819,7 @@ pdn_status pdn_model_node_count(const struct pdn_model *model,
                                 int32_t *count);
 
 /**
- * Number of joints; their ids are 0 ... count - 1.
+ * Number of joints; their ids follow each other from PDN_FIRST_JOINT on.
  *
  * @param model  the model; not NULL
  * @param count  the number; written on success only
@@ -3833,7 +3833,7 @@ pdn_status pdn_model_joint_count(const struct pdn_model *model,
                                  int32_t *count);
 
 /**
- * Number of beam elements; their ids are 0 ... count - 1.
+ * Number of beam elements; their ids follow each other from PDN_FIRST_BEAM_ELEMENT on.
  *
  * @param model  the model; not NULL
  * @param count  the number; written on success only
@@ -4334,7 +4334,8 @@ pdn_status pdn_model_add_screw_between(struct pdn_model *model,
                                        int32_t *joint);
 
 /**
- * Number of linear relations between joint coordinates; their ids are 0 ... count - 1.
+ * Number of linear relations between joint coordinates; their ids follow each other from
+ * PDN_FIRST_RELATION on.
  *
  * @param model  the model; not NULL
  * @param count  the number; written on success only
@@ -5215,7 +5216,7 @@ pdn_status pdn_model_shell_patch_node(const struct pdn_model *model,
                                       int32_t *node);
 
 /**
- * Number of shell elements; their ids are 0 ... count - 1.
+ * Number of shell elements; their ids follow each other from PDN_FIRST_SHELL_ELEMENT on.
  *
  * @param model  the model; not NULL
  * @param count  the number; written on success only
@@ -5361,8 +5362,8 @@ pdn_status pdn_model_add_rigid_edge(struct pdn_model *model,
                                     int32_t *joints);
 
 /**
- * Number of forces: springs, dampers, actuators and the like, but not loads; their ids are 0 ...
- * count - 1.
+ * Number of forces: springs, dampers, actuators and the like, but not loads; their ids follow each
+ * other from PDN_FIRST_FORCE on.
  *
  * @param model  the model; not NULL
  * @param count  the number; written on success only

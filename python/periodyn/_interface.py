@@ -2461,7 +2461,7 @@ class Model(ModelExtras):
         self._own(model[0])
 
     def node_count(self):
-        """Number of nodes; their ids are 0 ... count - 1.
+        """Number of nodes; their ids follow each other from FIRST_NODE on.
 
         Returns:
             count: the number
@@ -2471,7 +2471,7 @@ class Model(ModelExtras):
         return count[0]
 
     def joint_count(self):
-        """Number of joints; their ids are 0 ... count - 1.
+        """Number of joints; their ids follow each other from FIRST_JOINT on.
 
         Returns:
             count: the number
@@ -2481,7 +2481,7 @@ class Model(ModelExtras):
         return count[0]
 
     def element_count(self):
-        """Number of beam elements; their ids are 0 ... count - 1.
+        """Number of beam elements; their ids follow each other from FIRST_BEAM_ELEMENT on.
 
         Returns:
             count: the number
@@ -2984,7 +2984,8 @@ class Model(ModelExtras):
         return joint[0]
 
     def relation_count(self):
-        """Number of linear relations between joint coordinates; their ids are 0 ... count - 1.
+        """Number of linear relations between joint coordinates; their ids follow each other from
+        FIRST_RELATION on.
 
         Returns:
             count: the number
@@ -3647,7 +3648,7 @@ class Model(ModelExtras):
         return node[0]
 
     def shell_element_count(self):
-        """Number of shell elements; their ids are 0 ... count - 1.
+        """Number of shell elements; their ids follow each other from FIRST_SHELL_ELEMENT on.
 
         Returns:
             count: the number
@@ -3780,8 +3781,8 @@ class Model(ModelExtras):
         return first_joint[0], joints[0]
 
     def force_count(self):
-        """Number of forces: springs, dampers, actuators and the like, but not loads; their ids are
-        0 ... count - 1.
+        """Number of forces: springs, dampers, actuators and the like, but not loads; their ids
+        follow each other from FIRST_FORCE on.
 
         Returns:
             count: the number

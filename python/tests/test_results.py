@@ -114,7 +114,8 @@ def test_stations_along_a_line():
 def test_solutions_are_pickled_and_read_again(tmp_path):
     solution = solution_for(4.0)
     again = pickle.loads(pickle.dumps(solution))
-    np.testing.assert_array_equal(again.node_position(pdn.FIRST_NODE, TIMES), solution.node_position(pdn.FIRST_NODE, TIMES))
+    kept, given = (s.node_position(pdn.FIRST_NODE, TIMES) for s in (again, solution))
+    np.testing.assert_array_equal(kept, given)
     solution.save(tmp_path / "saved")
     assert pdn.Solution.load(tmp_path / "saved").model().node_count() == 1
 

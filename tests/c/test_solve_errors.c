@@ -618,7 +618,8 @@ static void grids_too_coarse(void)
     CHECK_STATUS(pdn_solve_periodic(made, in.period, &in.options, &coarse), PDN_OK);
     CHECK(pdn_solution_outcome(coarse) == PDN_CONVERGED);
     for (f = 0; f < LENGTH(plain_of_nodes); f++)
-        REFUSED(plain_of_nodes[f](coarse, NODE(0), &time, 1, out.values), PDN_ERR_GRID_TOO_COARSE, "");
+        REFUSED(plain_of_nodes[f](coarse, NODE(0), &time, 1, out.values),
+                PDN_ERR_GRID_TOO_COARSE, "");
     for (f = 0; f < LENGTH(framed_of_nodes); f++)
         REFUSED(framed_of_nodes[f](coarse, NODE(0), PDN_FRAME_SPACE, &time, 1, out.values),
                 PDN_ERR_GRID_TOO_COARSE, "");

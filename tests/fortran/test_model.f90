@@ -332,7 +332,8 @@ contains
             PDN_ANGLES_ROTATION_VECTOR, id)
         call check(id == PDN_FIRST_FORCE + 6, 'bushing')
         call m%add_controller(PDN_FIRST_JOINT + [6, 8], [PDN_ROTATION_2, PDN_ROTATION], &
-            PDN_FIRST_JOINT + [6], [PDN_ROTATION_2], PDN_TANGENTS_GIVEN, govern, initial=[0.5_dp], sizes=[2.0_dp], force=id)
+            PDN_FIRST_JOINT + [6], [PDN_ROTATION_2], PDN_TANGENTS_GIVEN, govern, &
+            initial=[0.5_dp], sizes=[2.0_dp], force=id)
         call check(id == PDN_FIRST_FORCE + 7, 'controller')
         call m%controller_counts(id, inputs=forces, states=nodes)
         call check(forces == 2 .and. nodes == 1, 'controller counts')

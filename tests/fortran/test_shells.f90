@@ -139,7 +139,8 @@ contains
                 call model%add_surface_force(PDN_FIRST_SHELL_ELEMENT + 1, 1, PDN_SHELL_SURFACE, &
                     PDN_FRAME_MATERIAL, PDN_TANGENTS_GIVEN, wind, first_force=force)
                 call model%check_tangents(force, 1.0_dp, tangents)
-                call check(force == PDN_FIRST_FORCE .and. tangents%error < 1e-7_dp, 'tangents of wind')
+                call check(force == PDN_FIRST_FORCE .and. tangents%error < 1e-7_dp, &
+                    'tangents of wind')
             end if
             call model%solve_static(solution)
             call check(solution%converged(), 'converged')
