@@ -3,6 +3,7 @@
 
 use super::force::pdn_model_add_spring_damper;
 use super::guard::pdn_set_panic_printing;
+use super::id::{PDN_FIRST_JOINT, PDN_FIRST_NODE};
 use super::joint::{pdn_model_add_revolute, pdn_model_prescribe};
 use super::last_error::pdn_last_error;
 use super::load::pdn_model_add_load;
@@ -71,7 +72,7 @@ fn pendulum() -> *mut pdn_model {
         ));
         last = body;
     }
-    let (joint, angle) = (1, super::joint::PDN_ROTATION);
+    let (joint, angle) = (PDN_FIRST_JOINT + 1, super::joint::PDN_ROTATION);
     ok!(pdn_model_add_spring_damper(
         model,
         joint,
@@ -87,7 +88,7 @@ fn pendulum() -> *mut pdn_model {
     ok!(pdn_signal_set_harmonics(&mut signal, 0.0, 0.0, &c, &s, 1));
     ok!(pdn_model_prescribe(
         model,
-        0,
+        PDN_FIRST_JOINT,
         super::joint::PDN_ROTATION,
         &signal
     ));
@@ -169,8 +170,8 @@ fn look(model: *const pdn_model, attempt: Attempt) -> [u64; 6] {
     let (times, mut positions) = ([0.1, 0.17], [0.0; 6]);
     let mut solution = null_mut();
     assert_eq!(attempt(model, &raw mut solution), PDN_OK);
-    let (times, to) = (times.as_ptr(), positions.as_mut_ptr());
-    ok!(pdn_solution_node_position(solution, 1, times, 2, to));
+    let (body, times, to) = (PDN_FIRST_NODE + 1, times.as_ptr(), positions.as_mut_ptr());
+    ok!(pdn_solution_node_position(solution, body, times, 2, to));
     // SAFETY: as above.
     unsafe { pdn_solution_free(solution) };
     positions.map(f64::to_bits)
