@@ -104,6 +104,7 @@ int main(int argc, char **argv)
     pdn_quantity moment, flap;
     PDN_INIT(pdn_quantity, &moment);
     moment.kind = PDN_QUANTITY_BEAM_FORCE;
+    moment.object = blade.first_element;
     moment.component = 4;
     PDN_INIT(pdn_quantity, &flap);
     flap.kind = PDN_QUANTITY_COORDINATE;
