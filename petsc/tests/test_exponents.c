@@ -16,7 +16,7 @@ static struct test_model unequal_rotor(size_t points)
     const double inertia[9] = {0.2, 0, 0, 0, 0.3, 0, 0, 0, 0.4};
     int32_t body, joint;
     /* The last nodes of blades 2 and 3. */
-    const int32_t tips[2] = {20, out.node};
+    const int32_t tips[2] = {PDN_FIRST_NODE + 20, out.node};
     for (int i = 0; i < 2; ++i) {
         pdn_frame frame;
         GOOD(pdn_model_node_frame(out.model, tips[i], &frame));
