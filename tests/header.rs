@@ -142,7 +142,7 @@ fn constants_of_different_roles_have_ranges_of_their_own() {
     assert!(all.len() > 150);
     let values: BTreeSet<i32> = all.iter().map(|(_, value)| *value).collect();
     assert_eq!(values.len(), all.len(), "two constants have the same value");
-    // What stands for none or all is negative; the first id is zero.
+    // What stands for none or all is negative; ids begin far beyond constants.
     let small = all.iter().filter(|(_, value)| (0..100).contains(value));
     assert_eq!(small.count(), 0);
     // A hundred has one run of values.

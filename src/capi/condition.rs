@@ -6,7 +6,7 @@ use super::handle::Handle;
 use super::id::Kind;
 use super::joint::coordinate;
 use super::model::pdn_model;
-use super::parameter::{PDN_FREQUENCY, parameter};
+use super::parameter::{PDN_FREQUENCY, any_parameter, parameter};
 use super::periodic::{pdn_periodic_options, read_options};
 use super::quantity::{pdn_quantity, selection};
 use super::solution::pdn_solution;
@@ -101,10 +101,7 @@ pub unsafe extern "C" fn pdn_conditions_release(
 ) -> pdn_status {
     guard(|call| {
         let mut conditions = call.exclusive(conditions, "conditions")?;
-        if parameter != PDN_FREQUENCY {
-            Kind::Parameter.index(parameter, "parameter")?;
-        }
-        conditions.parameters.push(parameter);
+        conditions.parameters.push(any_parameter(parameter)?);
         Ok(())
     })
 }

@@ -244,7 +244,6 @@ pub unsafe extern "C" fn pdn_model_force(
             ..pdn_force_info::defaults()
         };
         if let ForceDefinition::SurfaceForces { element, place, .. } = force {
-            // In range, as all ids.
             info.shell_element = Kind::ShellElement.id(*element);
             info.shell_place = place_code(*place);
         }

@@ -6,7 +6,7 @@ use super::load::component_place;
 use super::model::{choose, pdn_model};
 use super::solution::pdn_solution;
 use super::status::pdn_status;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorKind, Result};
 use crate::model::{Model, SignalPart, SignalPlace, Target};
 use libc::c_char;
 
@@ -110,6 +110,15 @@ pub unsafe extern "C" fn pdn_model_add_parameter(
 /// The parameter of an id.
 pub(super) fn parameter(model: &Model, id: i32, name: &str) -> Result<usize> {
     Kind::Parameter.index_below(id, model.parameters().len(), name, "a parameter id")
+}
+
+/// An id that may be that of a parameter of some model, or the frequency.
+pub(super) fn any_parameter(id: i32) -> Result<i32> {
+    if id == PDN_FREQUENCY || Kind::Parameter.index(id, "parameter").is_ok() {
+        return Ok(id);
+    }
+    let message = format!("parameter: expected a parameter id or PDN_FREQUENCY, got {id}");
+    Err(Error::new(ErrorKind::Identifier, message))
 }
 
 /// A number of an argument that counts something.

@@ -3,11 +3,10 @@
 use super::condition::{Conditions, feature, free_parameter, pdn_conditions};
 use super::guard::{free, guard, init};
 use super::handle::Handle;
-use super::id::Kind;
 use super::linear_solver::{PDN_LINEAR_AUTOMATIC, read_linear_solver};
 use super::model::{self, choose};
 use super::options::Options;
-use super::parameter::PDN_FREQUENCY;
+use super::parameter::any_parameter;
 use super::quantity::{pdn_quantity, selection};
 use super::solution::pdn_solution;
 use super::stability::pdn_stability;
@@ -206,14 +205,6 @@ pub unsafe extern "C" fn pdn_sensitivities_add_parameter(
         lists.parameters.push(parameter);
         Ok(())
     })
-}
-
-/// An id that may be that of a parameter.
-fn any_parameter(id: i32) -> Result<i32> {
-    if id != PDN_FREQUENCY {
-        Kind::Parameter.index(id, "parameter")?;
-    }
-    Ok(id)
 }
 
 /// Derivatives of what comes out of a periodic solution by parameters of its model.

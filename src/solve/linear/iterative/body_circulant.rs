@@ -210,9 +210,8 @@ impl BodyCirculant {
         if !resultants.is_empty() && self.transposed {
             let (rates, transform) = (&mut self.rates, &self.transform);
             self.resultants.add_transposed(resultants, x, rates);
-            let (rates, frequency) = (&self.rates[..], self.frequency);
+            let rates = (&self.rates[..], self.frequency);
             let spaces = &mut self.workspaces;
-            let rates = (rates, frequency);
             self.resultants
                 .subtract_slopes(rates, &self.aliasing, x, transform, spaces);
         } else if !resultants.is_empty() {

@@ -128,23 +128,23 @@ impl Resultants {
             .for_each(&mut parts, workspaces, new, |transform, node, forces| {
                 let rates = &rates[node * of_node..][..of_node];
                 let mut highest = vec![Vector6::zeros(); aliasing[node].len()];
-                let slopes_of = |transform: &mut Transform, component: usize| {
+                let analyse = |transform: &mut Transform, component: usize| {
                     let series = rates[component..].iter().step_by(6);
                     transform.analysis.read(series.copied());
-                    let spectrum = transform.synthesis.spectrum.iter_mut();
-                    let harmonics = spectrum.zip(&transform.analysis.spectrum);
-                    for (j, (slope, value)) in harmonics.enumerate() {
-                        *slope = value * Complex::new(0.0, frequency * j as f64);
-                    }
                 };
                 for component in 0..if highest.is_empty() { 0 } else { 6 } {
-                    slopes_of(transform, component);
+                    analyse(transform, component);
                     for (below, values) in highest.iter_mut().enumerate() {
                         values[component] = transform.analysis.spectrum[points / 2 - below];
                     }
                 }
                 for component in 0..6 {
-                    slopes_of(transform, component);
+                    analyse(transform, component);
+                    let spectrum = transform.synthesis.spectrum.iter_mut();
+                    let harmonics = spectrum.zip(&transform.analysis.spectrum);
+                    for (j, (slope, value)) in harmonics.enumerate() {
+                        *slope = value * Complex::new(0.0, frequency * j as f64);
+                    }
                     for (below, (values, added)) in highest.iter().zip(&aliasing[node]).enumerate()
                     {
                         let by_velocity = added.velocity.column(component).dotc(values);
