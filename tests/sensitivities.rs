@@ -2,6 +2,7 @@
 
 mod common;
 
+use common::models::beams::slider_crank;
 use common::models::linkages::{hinged_blade, planar_linkage};
 use common::models::small::whirled_beam;
 use common::{
@@ -580,6 +581,45 @@ fn of_what_is_driven() {
     };
     let solution = held(&model, TAU / 3.0, &asked, &options(31));
     check(&solution, &asked, 5e-4);
+}
+
+/// Where motions do not follow, only their rounding is left, which does not contract.
+#[test]
+fn of_what_does_not_move() {
+    let period = TAU / 60.0;
+    let mut model = slider_crank(2, 3, period);
+    gravity(&mut model, [0.0, -9.81, 0.0]);
+    let parameters = vec![
+        moved(&mut model, "crank", 1.0, &[(Target::Inertia(0), 1.0)]),
+        moved(&mut model, "slider", 1.0, &[(Target::Inertia(1), 1.0)]),
+    ];
+    let position = |node| Quantity::Node(node, NodeQuantity::Position).component(0);
+    let shaft = Quantity::Joint(0, JointQuantity::Reaction(ResolvedIn::Space));
+    let asked = Asked {
+        dependents: vec![
+            feature(position(0), Feature::Cosine(1)),
+            feature(position(1), Feature::Cosine(2)),
+            feature(shaft.component(1), Feature::Mean),
+        ],
+        parameters,
+        ..Asked::default()
+    };
+    let solution = held(&model, period, &asked, &options(15));
+    for method in [SensitivityMethod::Direct, SensitivityMethod::Adjoint] {
+        for linear in [LinearMethod::Direct, LinearMethod::Iterative(None)] {
+            let found = sensitivities(&solution, &asked, &by(method, linear)).unwrap();
+            let found = found.derivatives;
+            // The crank turns as it is driven, whatever it weighs; its bearing carries that.
+            let still = [found[(0, 0)], found[(0, 1)], found[(1, 0)]];
+            assert!(largest(still.into_iter()) < 1e-15, "{still:?}");
+            let weight = 9.81 * 0.5;
+            assert!(
+                (found[(2, 0)].abs() - weight).abs() < 1e-9 * weight,
+                "{found}"
+            );
+            assert!(found[(1, 1)].abs() > 1e-8, "{found}");
+        }
+    }
 }
 
 #[test]
