@@ -3,6 +3,7 @@
 mod common;
 
 use common::models::oscillators::*;
+use common::models::small::one_blade;
 use common::*;
 use nalgebra::{Matrix3, Vector3};
 use periodyn::collocation::{Collocation, GridState};
@@ -11,10 +12,11 @@ use periodyn::error::Result;
 use periodyn::fourier::TimeGrid;
 use periodyn::model::{JointCoordinate, Model, Signal, SignalPart, SignalPlace, Target};
 use periodyn::motion::Motion;
-use periodyn::output::Solution;
+use periodyn::output::{NodeQuantity, Solution};
+use periodyn::quantity::{Feature, Quantity};
 use periodyn::solve::{
-    Condition, Energy, Free, InitialGuess, JointCoordinateIs, LinearMethod, PeriodicOptions, Phase,
-    solve_conditioned,
+    Condition, Energy, Free, InitialGuess, JointCoordinateIs, LinearMethod, OutputIs,
+    PeriodicOptions, Phase, solve_conditioned,
 };
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -410,7 +412,52 @@ fn what_cannot_be_determined_is_named() {
         &["\"amplitude\"", "the mean of x"],
     );
     // Beyond the length of the rod.
-    named(&[one], &[Arc::new(MeanIs(1.3))], &[]);
+    named(
+        &[one],
+        &[Arc::new(MeanIs(1.3))],
+        &["the mean of x is off by"],
+    );
+}
+
+/// A hub that is driven is where it is, however stiff its blade.
+#[test]
+fn what_nothing_free_moves_is_named() {
+    let (mut model, period) = one_blade(2);
+    let stiffness = model.add_parameter("stiffness", 1.0, 1.0).unwrap();
+    let target = Target::BeamStiffness(0);
+    model.move_by_parameter(stiffness, target, 1.0).unwrap();
+    let tip = model.node_count() - 1;
+    let free = Solution::solve(&model, period, &options(15), &mut |_, _| true).unwrap();
+    let position = Quantity::Node(tip, NodeQuantity::Position).component(1);
+    let natural = 1.001 * free.series(position).unwrap()[0].mean;
+    for linear in [LinearMethod::Direct, LinearMethod::Iterative(None)] {
+        let at = |node: usize, value: f64| {
+            let position = Quantity::Node(node, NodeQuantity::Position);
+            let given = OutputIs {
+                output: position.component(1),
+                feature: Feature::Mean,
+                value,
+                scale: Some(1.0),
+            };
+            let options = PeriodicOptions {
+                linear,
+                ..options(15)
+            };
+            let given: [Arc<dyn Condition>; 1] = [Arc::new(given)];
+            let lists = (&[Free::Parameter(stiffness)][..], &given[..]);
+            let (_, solved) =
+                solve_conditioned(&model, period, lists, &options, &mut |_, _| true).unwrap();
+            solved.report
+        };
+        let why = at(0, 0.1).explanation;
+        assert!(
+            why.contains("the mean of node0.position.y does not respond"),
+            "{why}"
+        );
+        assert!(why.contains("the parameter \"stiffness\""), "{why}");
+        let moved = at(tip, natural);
+        assert!(moved.outcome.is_solution(), "{}", moved.explanation);
+    }
 }
 
 #[test]

@@ -205,8 +205,11 @@ impl<L: LinearSolver> Bordered<L> {
             return Ok(true);
         }
         let inner = &mut self.inner;
+        // Beside motions that only the ground holds all others are small.
+        let is_held = equations.grounding() == 0.0;
+        let motions = is_held.then(|| equations.layout().motions().end);
         let solve = |x: &mut [f64]| inner.solve(equations, x, accuracy, timings);
-        self.determined = self.borders.eliminate(solve)?;
+        self.determined = self.borders.eliminate(motions, solve)?;
         Ok(self.determined)
     }
 }
@@ -393,8 +396,8 @@ impl<L: LinearSolver> LinearSolver for Bordered<L> {
         }
         let why = match (self.borders.undetermined, equations.scalars()) {
             (Some([equation, unknown]), Some(scalars)) => format!(
-                "the conditions do not determine all that is free: {} is insensitive, or redundant \
-                 with other conditions, to what is left, as {}",
+                "the conditions do not determine all that is free: {} does not respond to what is \
+                 left, as {}, or is redundant with other conditions",
                 scalars.describe_equation(equation),
                 scalars.describe_unknown(unknown)
             ),

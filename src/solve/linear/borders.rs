@@ -2,6 +2,7 @@
 
 use crate::collocation::{Collocation, GridState, Tangent};
 use crate::error::Result;
+use crate::solve::linear::dense::largest;
 use crate::solve::linear::front::Held;
 use nalgebra::{DMatrix, DVector};
 
@@ -60,8 +61,14 @@ impl Borders {
         }
     }
 
-    /// Finds the Schur complement, by what solves with `J`. `false` if that cannot be done.
-    pub fn eliminate(&mut self, mut solve: impl FnMut(&mut [f64]) -> Result<bool>) -> Result<bool> {
+    /// Finds the Schur complement, by what solves with `J`. `false` if that cannot be done, or if
+    /// equations do not feel any of the unknowns: that, where `motions` ends in the equations of
+    /// the grid, is told by what follows an unknown in motions and in all else.
+    pub fn eliminate(
+        &mut self,
+        motions: Option<usize>,
+        mut solve: impl FnMut(&mut [f64]) -> Result<bool>,
+    ) -> Result<bool> {
         self.undetermined = None;
         self.eliminated.clone_from(&self.columns);
         let size = self.columns.first().map_or(0, Vec::len);
@@ -75,7 +82,10 @@ impl Borders {
                 return Ok(false);
             }
         }
-        let complement = self.complement(&self.eliminated);
+        let mut complement = self.complement(&self.eliminated);
+        if let Some(motions) = motions {
+            self.drop_rounding(&mut complement, motions);
+        }
         self.undetermined = smallest_pivot(&complement, self.count());
         if self.undetermined.is_some() {
             return Ok(false);
@@ -83,6 +93,22 @@ impl Borders {
         let inverse = complement.try_inverse();
         let found = inverse.filter(|inverse| inverse.iter().all(|x| x.is_finite()));
         Ok(found.map(|inverse| self.inverse = inverse).is_some())
+    }
+
+    /// Makes zeros of entries that are rounding beside what equations would feel of motions, which
+    /// end at `motions`, and of all else, if these were where they are the most.
+    fn drop_rounding(&self, complement: &mut DMatrix<f64>, motions: usize) {
+        for (i, row) in self.rows.iter().enumerate() {
+            for (j, column) in self.eliminated.iter().enumerate() {
+                let size = column.len();
+                let parts = [0..motions, motions..size];
+                let felt = parts.map(|part| largest(&row[part.clone()]) * largest(&column[part]));
+                let own = row.get(size + j).unwrap_or(&0.0).abs();
+                if complement[(i, j)].abs() <= NO_PIVOT * (felt[0] + felt[1] + own) {
+                    complement[(i, j)] = 0.0;
+                }
+            }
+        }
     }
 
     /// `D − C X`, with the columns `X` first in `eliminated`: of as many scalars as there are

@@ -112,8 +112,9 @@ impl Left<'_> {
     pub fn stalled(&self, increment: f64) -> Ending {
         let why = format!(
             "no step along the Newton direction brings progress; the last increment is \
-             {increment:.3e}{}",
-            describe_open_joint(self.equations, self.residual)
+             {increment:.3e}{}{}",
+            describe_open_joint(self.equations, self.residual),
+            self.describe_open_condition()
         );
         Ending::new(Outcome::Stalled, why)
     }
@@ -121,11 +122,31 @@ impl Left<'_> {
     /// The end where no more iterations are allowed.
     pub fn exhausted(&self) -> Ending {
         let why = format!(
-            "not converged after {} iterations{}",
+            "not converged after {} iterations{}{}",
             self.options.iteration_limit,
-            describe_open_joint(self.equations, self.residual)
+            describe_open_joint(self.equations, self.residual),
+            self.describe_open_condition()
         );
         Ending::new(Outcome::IterationLimit, why)
+    }
+
+    /// The condition that is least met; empty if all are.
+    fn describe_open_condition(&self) -> String {
+        let Some(scalars) = self.equations.scalars() else {
+            return String::new();
+        };
+        let all = self.residual[self.equations.layout().scalars()].iter();
+        let worst = all
+            .enumerate()
+            .max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+        match worst {
+            Some((index, left)) if left.abs() > self.options.tolerance => format!(
+                "; {} is off by {:.2e} of its scale: it may not be possible to meet it",
+                scalars.describe_equation(index),
+                left.abs()
+            ),
+            _ => String::new(),
+        }
     }
 }
 
