@@ -136,7 +136,8 @@ impl<L: LinearSolver> Bordered<L> {
             };
             // Written so that NaN is singular.
             let certain = regular && inner.growth(equations) <= SUSPECT;
-            if !self.holds && equations.grounding() == 0.0 && !certain {
+            let may_ground = self.borders.count() > 0 && !self.holds;
+            if may_ground && equations.grounding() == 0.0 && !certain {
                 equations.ground(GROUNDING);
                 near = false;
                 continue;
@@ -350,7 +351,9 @@ impl<L: LinearSolver> LinearSolver for Bordered<L> {
             if self.solve_by_elimination(equations, rhs, accuracy, timings)? {
                 return Ok(true);
             }
-            let (None, false, Some(state)) = (at_once, self.holds, self.at.clone()) else {
+            // Without scalars the ground would hold what nothing else does.
+            let given_up = at_once.is_some() || self.holds || self.borders.count() == 0;
+            let (false, Some(state)) = (given_up, self.at.clone()) else {
                 return Ok(false);
             };
             rhs.copy_from_slice(&self.kept);
@@ -460,6 +463,7 @@ mod tests {
             (0..layout.size()).map(entry).collect()
         };
         Borders {
+            size: equations.size(),
             columns: (0..count).map(column).collect(),
             rows: (0..count).map(row).collect(),
             ..Borders::default()

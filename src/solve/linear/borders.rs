@@ -14,6 +14,8 @@ const NO_PIVOT: f64 = 1e-11;
 pub(crate) struct Borders {
     /// `B`, column by column.
     pub columns: Vec<Vec<f64>>,
+    /// Length of these.
+    pub size: usize,
     /// `[C D]`, row by row.
     pub rows: Vec<Vec<f64>>,
     /// What is added to `J` where it is eliminated: `J + E H Fᵀ`, with unit vectors `E` and `F`. So
@@ -41,6 +43,7 @@ impl Borders {
         equations.update_kinematics(state);
         Ok(Borders {
             columns,
+            size: equations.size(),
             rows: all
                 .map(|i| equations.of_scalar_equation(state, i))
                 .collect::<Result<_>>()?,
@@ -71,9 +74,8 @@ impl Borders {
     ) -> Result<bool> {
         self.undetermined = None;
         self.eliminated.clone_from(&self.columns);
-        let size = self.columns.first().map_or(0, Vec::len);
         for held in &self.held {
-            let mut column = vec![0.0; size];
+            let mut column = vec![0.0; self.size];
             column[held.row] = -1.0;
             self.eliminated.push(column);
         }

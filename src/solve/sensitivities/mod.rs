@@ -299,6 +299,8 @@ struct Solver {
     newton: Newton<Bordered<Linear>>,
     state: GridState,
     method: SensitivityMethod,
+    /// Whether another method may be taken.
+    may_change: bool,
     solves: usize,
 }
 
@@ -329,9 +331,14 @@ impl Solver {
             newton: Newton::with(equations, bordered),
             state,
             method,
+            may_change: options.method == SensitivityMethod::Automatic,
             solves: 0,
         };
         solver.linearise()?;
+        // Where factors are those of few freedoms, all would be factored for transposed solves.
+        if solver.may_change && !solver.newton.linear.has_compliance() {
+            solver.method = SensitivityMethod::Direct;
+        }
         Ok(solver)
     }
 
@@ -404,19 +411,42 @@ impl Solver {
         if linear.solve_to_rounding(equations, rhs, side, timings)? {
             return Ok(());
         }
-        Err(singular("cannot be differentiated"))
+        Err(match side {
+            Side::Plain => singular("cannot be differentiated"),
+            Side::Transposed => {
+                let message = "sensitivities: the transposed equations could not be solved as \
+                               accurately as derivatives need; take the direct method, or another \
+                               solver of linear equations";
+                Error::new(ErrorKind::NotAvailable, message)
+            }
+        })
     }
 
     /// Derivatives of the dependents whose gradients are these rows, for what counts as 1 in the
     /// parameters.
     fn derivatives(&mut self, rows: &[Vec<f64>], columns: &[Column]) -> Result<DMatrix<f64>> {
+        let found = self.by_method(rows, columns);
+        let failed = matches!(&found, Err(e) if e.kind() == ErrorKind::NotAvailable);
+        if failed && self.may_change && self.method == SensitivityMethod::Adjoint {
+            self.method = SensitivityMethod::Direct;
+            return self.by_method(rows, columns);
+        }
+        found
+    }
+
+    fn by_method(&mut self, rows: &[Vec<f64>], columns: &[Column]) -> Result<DMatrix<f64>> {
         let mut result = DMatrix::from_fn(rows.len(), columns.len(), |i, j| {
             columns[j].dependents[i] / columns[j].scale
         });
         match self.method {
             SensitivityMethod::Adjoint => {
                 for (i, row) in rows.iter().enumerate() {
-                    let adjoint = self.solve(row.clone(), Side::Transposed)?;
+                    let adjoint = self.solve(row.clone(), Side::Transposed);
+                    if adjoint.is_err() {
+                        // There may be no solution of the equations themselves, as at a fold.
+                        self.check_reach(columns)?;
+                    }
+                    let adjoint = adjoint?;
                     for (j, column) in columns.iter().enumerate() {
                         result[(i, j)] -= dot(&adjoint, &column.residual) / column.scale;
                     }

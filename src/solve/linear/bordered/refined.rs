@@ -5,13 +5,10 @@ use super::{Bordered, ITERATION_LIMIT};
 use crate::collocation::{Collocation, Tangent};
 use crate::error::Result;
 use crate::solve::linear::borders::Borders;
-use crate::solve::linear::dense::{largest, probe};
-use crate::solve::linear::iterative::{
-    GmresOptions, GmresWorkspace, Parts, Preconditioned, SHARPEST, gmres,
-};
+use crate::solve::linear::dense::largest;
+use crate::solve::linear::iterative::{GmresOptions, Parts, Preconditioned, SHARPEST, gmres};
 use crate::solve::linear::solver::LinearSolver;
 use crate::solve::report::Timings;
-use std::ops::Range;
 
 /// Most refinements.
 const REFINEMENTS: usize = 6;
@@ -24,8 +21,9 @@ const NOTHING: f64 = 1e-14;
 /// Accuracy of the corrections of a solution, relative to what makes it rounding, and the coarsest.
 const LEFT: f64 = 0.1;
 const COARSEST: f64 = 1e-2;
-/// Corrections so many times what rounding of the right side makes are rounding as well.
-const OF_ROUNDING: f64 = 10.0;
+/// What is left of the right side, relative to it, that is rounding: of motions that do not follow
+/// that makes all there is, which does not contract, and which no iteration finds.
+const NOTHING_LEFT: f64 = 1e-14;
 /// Contraction of corrections above which an iteration takes fewer products.
 const SLOW: f64 = 1e-2;
 /// Accuracy of that iteration.
@@ -102,30 +100,6 @@ impl<L: LinearSolver> Preconditioned for Operator<'_, L> {
     }
 }
 
-impl<L: LinearSolver> Operator<'_, L> {
-    /// Solves in place: with what solves similar equations, or by iteration with it if that is
-    /// `slow`. `false` if there is no solution.
-    fn correct(&mut self, y: &mut [f64], slow: bool, memory: &mut GmresWorkspace) -> Result<bool> {
-        let workers = self.equations.workers().clone();
-        if slow {
-            let motions = self.equations.layout().motions().end;
-            gmres(self, y, &iterated(motions, y.len()), &workers, memory)?;
-        } else {
-            self.precondition(y);
-        }
-        workers.pulse()?;
-        std::mem::replace(&mut self.end, Ok(true))
-    }
-}
-
-/// What rounding of a right side may be.
-fn rounding_of(wanted: &[f64]) -> Vec<f64> {
-    let size = f64::EPSILON * largest(wanted);
-    let mut rounding = probe(wanted.len());
-    rounding.iter_mut().for_each(|x| *x *= size);
-    rounding
-}
-
 impl<L: LinearSolver> Bordered<L> {
     /// Solves in place, to rounding. `false` if that cannot be done.
     ///
@@ -141,8 +115,9 @@ impl<L: LinearSolver> Bordered<L> {
         if !self.prepare_elimination(equations, SHARPEST, timings)? {
             return Ok(false);
         }
-        let own = equations.layout().motions().end..equations.size();
-        let parts = [0..own.start, own.clone(), own.end..rhs.len()];
+        let workers = equations.workers().clone();
+        let motions = equations.layout().motions().end;
+        let own = motions..equations.size();
         let mut operator = Operator {
             equations,
             inner: &mut self.inner,
@@ -154,6 +129,7 @@ impl<L: LinearSolver> Bordered<L> {
             end: Ok(true),
         };
         let wanted = rhs.to_vec();
+        let nothing = NOTHING_LEFT * largest(&wanted);
         let mut rest = wanted.clone();
         let (mut product, mut correction) = (vec![0.0; rhs.len()], vec![0.0; rhs.len()]);
         rhs.fill(0.0);
@@ -169,36 +145,37 @@ impl<L: LinearSolver> Bordered<L> {
                     (LEFT * ROUNDING / rest).clamp(SHARPEST, COARSEST)
                 }
             };
-            if !operator.correct(&mut correction, slow, &mut self.workspace)? {
-                return Ok(false);
+            if slow {
+                let options = iterated(motions, rest.len());
+                gmres(
+                    &mut operator,
+                    &mut correction,
+                    &options,
+                    &workers,
+                    &mut self.workspace,
+                )?;
+            } else {
+                operator.precondition(&mut correction);
+            }
+            workers.pulse()?;
+            let is_rounding = largest(&rest) <= nothing;
+            if !std::mem::replace(&mut operator.end, Ok(true))? {
+                return Ok(is_rounding);
             }
             rhs.iter_mut().zip(&correction).for_each(|(x, c)| *x += c);
             let changed = change(&correction, rhs, own.clone());
             if !changed.is_finite() {
-                return Ok(false);
+                return Ok(is_rounding);
             }
-            let contracts = before.is_infinite() || changed <= 0.5 * before;
+            let stands_still = before <= ENOUGH && changed > 0.5 * before;
+            let is_noise = is_rounding && changed > 0.5;
             // What the next correction would be, as far as the last one has contracted.
             let next = match slow {
                 true => changed,
                 false => changed * (changed / before).max(operator.accuracy),
             };
-            if changed.min(next) <= ROUNDING || !contracts && before <= ENOUGH {
+            if changed.min(next) <= ROUNDING || stands_still || is_noise {
                 return Ok(true);
-            }
-            if !contracts {
-                // Of motions that do not follow there is rounding alone.
-                let mut least = rounding_of(&wanted);
-                operator.accuracy = COARSEST;
-                if !operator.correct(&mut least, slow, &mut self.workspace)? {
-                    return Ok(false);
-                }
-                if parts
-                    .iter()
-                    .all(|part| is_as_small(&correction, &least, part))
-                {
-                    return Ok(true);
-                }
             }
             slow |= before.is_finite() && changed > SLOW * before;
             before = changed;
@@ -222,14 +199,9 @@ fn iterated(motions: usize, unknowns: usize) -> GmresOptions {
     }
 }
 
-/// Whether a part of a correction is no larger than of what rounding makes.
-fn is_as_small(correction: &[f64], least: &[f64], part: &Range<usize>) -> bool {
-    largest(&correction[part.clone()]) <= OF_ROUNDING * largest(&least[part.clone()])
-}
-
 /// Size of a correction, relative to that of the solution; own unknowns by themselves, as they may
 /// be of quite another size.
-fn change(correction: &[f64], solution: &[f64], own: Range<usize>) -> f64 {
+fn change(correction: &[f64], solution: &[f64], own: std::ops::Range<usize>) -> f64 {
     let of_motions = |x: &[f64]| largest(&x[..own.start]).max(largest(&x[own.end..]));
     let part = |change: f64, size: f64| if change == 0.0 { 0.0 } else { change / size };
     let size = of_motions(solution);

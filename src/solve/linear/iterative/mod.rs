@@ -125,8 +125,10 @@ pub(crate) struct Iterative {
     /// What is in use, and what is left to be tried, each with the products that a solve may take.
     candidates: Vec<(Preconditioner, usize)>,
     factors: Option<Factors>,
-    /// The same of the transposed equations, once they were wanted.
+    /// The same of the transposed equations, once they were wanted, and which of the candidates
+    /// these are of.
     transposed: Option<Factors>,
+    transposed_with: usize,
     /// Whether the factors are those of an earlier Jacobian.
     is_old: bool,
     /// Whether the size of stress resultants has been found for the factors.
@@ -167,6 +169,7 @@ impl Iterative {
             candidates: Vec::new(),
             factors: None,
             transposed: None,
+            transposed_with: 0,
             is_old: false,
             is_scaled: false,
             eliminated: None,
@@ -201,7 +204,7 @@ impl Iterative {
     fn prepare_first(&mut self, equations: &Collocation) -> Result<bool> {
         // The memory of the old ones first.
         self.factors = None;
-        self.transposed = None;
+        (self.transposed, self.transposed_with) = (None, 0);
         self.first_products = None;
         self.is_scaled = false;
         self.eliminated = None;
@@ -299,7 +302,7 @@ impl Iterative {
             self.tangent.evaluate(equations, state)
         })?;
         self.is_old = true;
-        self.transposed = None;
+        (self.transposed, self.transposed_with) = (None, 0);
         self.eliminated = None;
         Ok(())
     }

@@ -8,7 +8,9 @@
 
 use super::factors::Factors;
 use super::interface::Bounds;
-use super::{GmresOptions, Iterative, KEPT, Parts, Preconditioned, RESTART, gmres, is_enough};
+use super::{
+    GmresOptions, Iterative, KEPT, Parts, Preconditioned, Preconditioner, RESTART, gmres, is_enough,
+};
 use crate::collocation::{Collocation, Tangent};
 use crate::error::Result;
 use crate::solve::report::{Timings, timed};
@@ -37,14 +39,24 @@ impl Preconditioned for Operator<'_> {
 }
 
 impl Iterative {
-    /// Factors the transpose of the preconditioner in use. `false` if that cannot be done.
-    fn prepare_transposed(&mut self, equations: &Collocation) -> Result<bool> {
-        if self.transposed.is_some() {
-            return Ok(true);
+    /// Factors the transpose of the preconditioner in use, or of one of those after it. Gives the
+    /// products that a solve may take with it; none if that cannot be done.
+    fn prepare_transposed(&mut self, equations: &Collocation) -> Result<Option<usize>> {
+        while let Some(&(preconditioner, most)) = self.candidates.get(self.transposed_with) {
+            if self.transposed.is_some() || self.factor_transposed(equations, preconditioner)? {
+                return Ok(Some(most));
+            }
+            self.transposed_with += 1;
         }
-        let Some(&(preconditioner, _)) = self.candidates.first() else {
-            return Ok(false);
-        };
+        Ok(None)
+    }
+
+    /// `false` if that cannot be done.
+    fn factor_transposed(
+        &mut self,
+        equations: &Collocation,
+        preconditioner: Preconditioner,
+    ) -> Result<bool> {
         let bounds = Bounds {
             most_work: f64::INFINITY,
             any_band: true,
@@ -68,10 +80,30 @@ impl Iterative {
         accuracy: f64,
         timings: &mut Timings,
     ) -> Result<bool> {
-        let prepared = timed(&mut timings.preconditioner, || {
+        let first = self.transposed_with;
+        while let Some(most) = timed(&mut timings.preconditioner, || {
             self.prepare_transposed(equations)
-        })?;
-        let (true, Some(factors)) = (prepared, &mut self.transposed) else {
+        })? {
+            if self.iterate_with_transposed(equations, (rhs, most), accuracy, timings)? {
+                return Ok(true);
+            }
+            (self.transposed, self.transposed_with) = (None, self.transposed_with + 1);
+        }
+        // Another right side may be solved for.
+        self.transposed_with = first;
+        Ok(false)
+    }
+
+    /// The same with the preconditioner that there is, if it takes no more than `most` products;
+    /// otherwise the right side stays.
+    fn iterate_with_transposed(
+        &mut self,
+        equations: &Collocation,
+        (rhs, most): (&mut [f64], usize),
+        accuracy: f64,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        let Some(factors) = &mut self.transposed else {
             return Ok(false);
         };
         let size = equations.size();
@@ -85,10 +117,10 @@ impl Iterative {
         let options = GmresOptions {
             tolerance: accuracy,
             leading: equations.layout().motions().end,
-            iteration_limit: self.limit,
+            iteration_limit: most,
             essential: unknowns.len(),
             parts: Parts::AsTheyAre,
-            restart: (KEPT / size_of_val(&unknowns[..])).clamp(RESTART, self.limit.max(RESTART)),
+            restart: (KEPT / size_of_val(&unknowns[..])).clamp(RESTART, most.max(RESTART)),
         };
         let mut operator = Operator {
             equations,
@@ -105,15 +137,18 @@ impl Iterative {
         self.record.products.push(end.iterations);
         self.count_bytes(end.iterations.min(options.restart), unknowns.len());
         equations.workers().pulse()?;
-        rhs.copy_from_slice(&unknowns[..size]);
+        let found = &unknowns[..size];
         let solved = end.error <= accuracy || end.stagnated && is_enough(equations, end.error);
-        Ok(solved && rhs.iter().all(|x| x.is_finite()))
+        let solved = solved && found.iter().all(|x| x.is_finite());
+        if solved {
+            rhs.copy_from_slice(found);
+        }
+        Ok(solved)
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::Preconditioner;
     use super::*;
     use crate::solve::linear::solver::LinearSolver;
     use crate::solve::{Outcome, PeriodicOptions, solve_periodic};
