@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::models::shells::{RUBBER, clamp_edge, edge_weights, load_edge, mesh, rubber_plate};
+use common::models::shells::{RUBBER, clamp_edge, load_edge, mesh, rubber_plate};
 use common::*;
 use nalgebra::Vector3;
 use periodyn::elements::{IsotropicShell, JointKind, LoadFrame, ShellLoadPlace};
