@@ -146,8 +146,12 @@ fn modes_of_plates() {
         let modes = Modes::solve(&model, &options, &mut |_, _| true).unwrap();
         assert_eq!(modes.outcome(), Outcome::Converged, "{}", modes.report());
         for (mode, given) in modes.modes()[rigid..].iter().zip(given) {
-            let found = format!("{:.5}", mode.eigenvalue.im / unit);
-            table.row(cells![clamped, nodes, elements, found, given]);
+            let found = mode.eigenvalue.im / unit;
+            let text = format!("{found:.5}");
+            table.row(cells![clamped, nodes, elements, text, given]);
+            // A unit of the last digit that is given.
+            let digit = if given < 10.0 { 1e-5 } else { 1e-4 };
+            assert!((found - given).abs() <= digit, "{found} {given}");
         }
     }
 }

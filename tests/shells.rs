@@ -85,11 +85,9 @@ fn rigid_motions_are_free_of_stress_and_have_exact_kinetic_energy() {
         let force = evaluate(&shell, &at_rest(&moved));
         let size = force.stiffness.amax();
         // Positions are rounded at 600 sizes of the element.
-        assert!(
-            force.force.amax() < 600.0 * 1e-15 * size,
-            "{:e}",
-            force.force.amax() / size
-        );
+        let left = force.force.amax() / size;
+        println!("forces of a rigid motion: {left:e} of the stiffness");
+        assert!(left < 1e-13, "{left:e}");
 
         // One twist in the inertial frame, carried to the nodes.
         let inertia = shell.inertia().unwrap();
@@ -240,6 +238,12 @@ fn constant_strains_need_no_forces_inside_distorted_patches() {
         let slopes = [1e-3 * (x + 0.5 * y), 1e-3 * (y + 0.5 * x)];
         Vector6::new(0.0, 0.0, w, slopes[1], -slopes[0], 0.0)
     };
+    // σ11 = E κ y, with turns that leave no shear.
+    let bent_in_plane = |r: &Vector3<f64>| {
+        let (x, y, curvature) = (r.x, r.y, 1e-3);
+        let across = -0.5 * curvature * (x * x + 0.25 * y * y);
+        Vector6::new(curvature * x * y, across, 0.0, 0.0, 0.0, -curvature * x)
+    };
     let turn = rotation_from_vector(&(Vector3::new(0.6, -1.0, 1.4).normalize() * 1.9));
     let stretched = |r: &Vector3<f64>| {
         let gradient = Matrix3::new(1.2, 0.1, 0.0, 0.1, 1.1, 0.0, 0.0, 0.0, 1.0);
@@ -252,8 +256,12 @@ fn constant_strains_need_no_forces_inside_distorted_patches() {
             unbalance(side, Some(&bending), &nowhere),
             unbalance(side, None, &stretched),
         ];
-        println!("{side} nodes a side: {errors:?}");
-        assert!(errors[0] < 1e-11 && errors[1] < 1e-9 && errors[2] < 1e-13);
+        let in_plane = unbalance(side, Some(&bent_in_plane), &nowhere);
+        println!("{side} nodes a side: {errors:?}, bent in the plane {in_plane:e}");
+        assert!(errors[0] < 1e-12 && errors[1] < 1e-10 && errors[2] < 5e-13);
+        // Displacements are quadratic, strains not constant: exact from four nodes a side on.
+        let bound = [f64::INFINITY, 1e-2, 1e-11, 1e-11][side - 2];
+        assert!(in_plane < bound, "{side}: {in_plane:e}");
     }
 }
 
@@ -287,9 +295,10 @@ fn a_strip_rolls_up_as_the_beam_does() {
     // L = 12, b = 1, h = 0.1; misses of the closed circle over the length, to the digits given.
     let (length, young, h) = (12.0, 1e6, 0.1);
     for (nodes, elements, exact, tolerance) in [
-        (9, 1, 9.40653e-5, 1e-9),
-        (12, 1, 1.72955e-8, 1e-12),
-        (15, 1, 5.6e-13, 5e-13),
+        (9, 1, 9.40653e-5, 1e-10),
+        (12, 1, 1.72955e-8, 1e-13),
+        // But for the rounding of positions.
+        (15, 1, 5.56e-13, 2e-14),
         (2, 16, 4.7e-2, 5e-4),
         (2, 32, 1.3e-2, 5e-4),
         (3, 8, 3.0e-3, 5e-5),
@@ -315,6 +324,8 @@ fn a_strip_rolls_up_as_the_beam_does() {
         let miss = miss.norm() / length;
         println!("{elements} of {nodes} nodes: {miss:e}, {iterations} iterations");
         assert!((miss - exact).abs() < tolerance, "{nodes}: {miss:e}");
+        // 22 of the other program.
+        assert!(iterations <= 22, "{iterations}");
     }
 }
 
@@ -335,8 +346,8 @@ fn a_cantilever_bends_as_the_beam_does() {
         println!("{force}: {moved:?}, {iterations} iterations");
         // All digits of the beam's.
         assert!((moved.x + shortening).abs() < 6e-8 && (moved.z - deflection).abs() < 6e-8);
-        // Four in one step when this was written with full extrapolated steps; plain steps take 15.
-        assert!(iterations <= 12, "{iterations}");
+        // 8 of the other program in one step; plain steps take 15.
+        assert!(iterations <= 10, "{iterations}");
     }
 }
 
@@ -364,7 +375,7 @@ fn a_fold_carries_moments_as_a_rigid_corner_of_beams() {
         let (solution, iterations) = statics_with(&model, 1);
         let moved = displacement(&solution, tip[nodes / 2]);
         println!("{nodes}: {} {}, {iterations} iterations", moved.x, moved.z);
-        let digits = if nodes == 5 { 2e-9 } else { 1e-7 };
+        let digits = if nodes == 5 { 6e-10 } else { 6e-8 };
         assert!((moved.x - exact[0]).abs() < digits && (moved.z - exact[1]).abs() < digits);
     }
 }
@@ -400,7 +411,7 @@ fn a_slit_ring_is_lifted_as_is_known() {
     let [inner, outer] = [lip[0], lip[3]].map(|node| displacement(&solution, node).z);
     println!("{inner} {outer}, {iterations} iterations");
     assert!((inner - 12.804).abs() < 6e-4 && (outer - 16.388).abs() < 6e-4);
-    assert!(iterations <= 60, "{iterations}");
+    assert!(iterations <= 42, "{iterations}");
 }
 
 #[test]

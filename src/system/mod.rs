@@ -15,6 +15,7 @@ mod repetition;
 mod rotor_symmetry;
 mod scales;
 mod shell_overlaps;
+mod shell_seams;
 mod shell_warnings;
 mod signals;
 mod summary;

@@ -1,12 +1,13 @@
 //! What looks like a mistake in shells: elements that lock, and couples that they cannot carry.
 
-use super::System;
 use super::constraints::name_all;
 use super::shell_overlaps::overlapping;
+use super::shell_seams::unmatched;
+use super::{ElementRole, System};
 use crate::elements::{Attachment, Element, JointKind, LoadFrame, Measure, Shell};
 use crate::model::{ForceDefinition, Model};
 use nalgebra::{Matrix3, Vector3};
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 /// Warp of an element of two nodes a side, in thicknesses, beyond which it is far too stiff where
 /// the frames that it interpolates are parallel, and where they follow the normals.
@@ -21,6 +22,7 @@ pub(super) fn warn_of_shells(model: &Model, system: &System, warnings: &mut Vec<
     }
     warn_of_warp(system, warnings);
     warn_of_overlaps(system, warnings);
+    warn_of_seams(model, system, warnings);
     let mut normals = HashMap::new();
     for shell in &system.shells {
         for (&node, normal) in shell.nodes().iter().zip(shell.normals()) {
@@ -62,14 +64,46 @@ fn warn_of_overlaps(system: &System, warnings: &mut Vec<String>) {
     let Some(&(a, b)) = pairs.first() else {
         return;
     };
-    let more = match pairs.len() - 1 {
-        0 => String::new(),
-        1 => ", and another pair does".to_string(),
-        more => format!(", and {more} other pairs do"),
-    };
+    let more = more_than(pairs.len());
     warnings.push(format!(
         "shell elements {a} and {b} lie on each other{more}: mass and stiffness count twice there; \
          does a patch reach too far, or is one there twice?"
+    ));
+}
+
+/// Of so many pairs the first is named.
+fn more_than(pairs: usize) -> String {
+    match pairs - 1 {
+        0 => String::new(),
+        1 => ", and another pair does".to_string(),
+        more => format!(", and {more} other pairs do"),
+    }
+}
+
+/// Edges that meet, but not node by node.
+fn warn_of_seams(model: &Model, system: &System, warnings: &mut Vec<String>) {
+    let holds = |role: &ElementRole| match *role {
+        ElementRole::Joint(_) | ElementRole::Beam(_) => true,
+        ElementRole::Force(index) => {
+            !matches!(model.forces[index], ForceDefinition::SurfaceForces { .. })
+        }
+        _ => false,
+    };
+    let elements = system
+        .elements()
+        .iter()
+        .filter(|placed| holds(&placed.role));
+    let held: HashSet<usize> = elements
+        .flat_map(|placed| placed.element.nodes().iter().copied())
+        .collect();
+    let pairs = unmatched(&system.shells, &held);
+    let Some(&(a, b)) = pairs.first() else {
+        return;
+    };
+    let more = more_than(pairs.len());
+    warnings.push(format!(
+        "shell elements {a} and {b} meet along edges{more}, with nodes between those of the other \
+         that nothing joins: there they come apart; give both edges the same elements and nodes"
     ));
 }
 

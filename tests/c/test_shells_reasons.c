@@ -389,10 +389,61 @@ static void elements_that_are_not_joined(void)
     }
 }
 
+/* A patch beside another, with so many elements along the common edge, from v on. */
+static pdn_model *beside(size_t elements, double v, int32_t held)
+{
+    const pdn_shell_section section = section_of(0.01);
+    const double corner[2][3] = {{0, 0, 0}, {1, v, 0}};
+    const double along_u[3] = {1, 0, 0}, along_v[3] = {0, 1, 0};
+    pdn_shell shells[2];
+    pdn_model *model;
+    int k;
+    CHECK_STATUS(pdn_model_new(&model), PDN_OK);
+    for (k = 0; k < 2; k++) {
+        pdn_surface surface;
+        PDN_INIT(pdn_surface, &surface);
+        CHECK_STATUS(pdn_surface_set_parallelogram(&surface, corner[k], along_u, along_v), PDN_OK);
+        CHECK_STATUS(pdn_model_add_shell(model, &surface, 1, k == 0 ? 2 : elements, 2, 2, 1,
+                                         &section, NULL, &shells[k]),
+                     PDN_OK);
+    }
+    clamp(model, &shells[0]);
+    if (held) {
+        int32_t first, joints;
+        CHECK_STATUS(pdn_model_add_rigid_edge(model, PDN_GROUND, &shells[0], PDN_SHELL_EDGE_END_XI,
+                                              &first, &joints),
+                     PDN_OK);
+        CHECK_STATUS(pdn_model_add_rigid_edge(model, PDN_GROUND, &shells[1],
+                                              PDN_SHELL_EDGE_START_XI, &first, &joints),
+                     PDN_OK);
+    }
+    return model;
+}
+
+/* Edges that meet are joined by common nodes alone: others come apart, unless they are held. */
+static void edges_that_do_not_match(void)
+{
+    static const struct {
+        double v;
+        size_t elements;
+        int32_t held, comes_apart;
+    } cases[] = {{0, 2, 0, 0}, {0, 3, 0, 1}, {0, 3, 1, 0}, {0.1, 2, 0, 1}, {1, 2, 0, 0}};
+    size_t k;
+    for (k = 0; k < sizeof cases / sizeof *cases; k++) {
+        pdn_model *model = beside(cases[k].elements, cases[k].v, cases[k].held);
+        CHECK(describes(model, "shell elements 0 and 2 meet along edges") == cases[k].comes_apart);
+        CHECK(describes(model, "there they come apart; give both edges the same elements and "
+                               "nodes") == cases[k].comes_apart);
+        CHECK(describes(model, "warning: ") == cases[k].comes_apart);
+        pdn_model_free(model);
+    }
+}
+
 int main(void)
 {
     overlapping_and_inverted();
     patches_that_overlap();
+    edges_that_do_not_match();
     elements_that_are_not_joined();
     normals_that_vanish();
     thin_and_warped();
