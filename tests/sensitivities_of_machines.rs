@@ -58,7 +58,7 @@ fn release(machine: &mut Machine) -> Vec<Free> {
 fn positions(nodes: usize) -> Vec<Dependent> {
     let of = |(node, component, feature)| {
         let position = Quantity::Node(node, NodeQuantity::Position).component(component);
-        Dependent::Feature(position.into(), feature)
+        Dependent::Feature(position, feature)
     };
     [
         (0, 0, Feature::Cosine(1)),
