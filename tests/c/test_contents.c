@@ -64,9 +64,10 @@ static pdn_model *build(void)
                  PDN_OK);
     CHECK_STATUS(pdn_model_add_relation(model, joints, coordinates, coefficients, 2, NULL, NULL),
                  PDN_OK);
-    CHECK_STATUS(pdn_model_prescribe(model, JOINT(0), PDN_ROTATION, &signal), PDN_OK);
-    CHECK_STATUS(pdn_model_add_load(model, bodies[1], PDN_FRAME_MATERIAL, PDN_FORCE_2, &signal),
-                 PDN_OK);
+    CHECK_STATUS(pdn_model_prescribe(model, JOINT(0), PDN_ROTATION, &signal, NULL), PDN_OK);
+    CHECK_STATUS(
+        pdn_model_add_load(model, bodies[1], PDN_FRAME_MATERIAL, PDN_FORCE_2, &signal, NULL),
+        PDN_OK);
     PDN_INIT(pdn_section, &section);
     CHECK_STATUS(pdn_section_set_diagonal(&section, sizes, masses), PDN_OK);
     CHECK_STATUS(pdn_model_add_straight_beam(model, ORIGIN, FAR_END, ACROSS, &section, 2, 3, &beam),
@@ -123,15 +124,16 @@ static void joints_and_forces_are_those_given(void)
     CHECK(count == 2);
     CHECK_STATUS(pdn_model_relation_term(in.model, RELATION(0), 1, &id, &other, &value), PDN_OK);
     CHECK(id == JOINT(1) && other == PDN_ROTATION && value == -1);
-    CHECK_STATUS(pdn_model_prescribed(in.model, 0, &id, &other), PDN_OK);
+    CHECK_STATUS(pdn_model_prescribed(in.model, PRESCRIBED(0), &id, &other), PDN_OK);
     CHECK(id == JOINT(0) && other == PDN_ROTATION);
     CHECK_STATUS(pdn_model_load_count(in.model, &count), PDN_OK);
-    CHECK_STATUS(pdn_model_load_at(in.model, 0, &id, &other), PDN_OK);
+    CHECK_STATUS(pdn_model_load_at(in.model, LOAD(0), &id, &other), PDN_OK);
     CHECK(count == 1 && id == NODE(1) && other == PDN_FRAME_MATERIAL);
     for (i = 0; i < 2; i++) {
         const int32_t place = i == 0 ? PDN_SIGNAL_OF_PRESCRIBED : PDN_SIGNAL_OF_LOAD;
         const int32_t component = i == 0 ? 0 : PDN_FORCE_2;
-        CHECK_STATUS(pdn_model_sample_signal(in.model, place, 0, component, 2.0, times, 2, values),
+        id = i == 0 ? PRESCRIBED(0) : LOAD(0);
+        CHECK_STATUS(pdn_model_sample_signal(in.model, place, id, component, 2.0, times, 2, values),
                      PDN_OK);
         CHECK_NEAR(values[0], 0.5, 1e-15);
         CHECK_NEAR(values[1], 0.3, 1e-15);
@@ -157,8 +159,10 @@ static void beams_and_masses_are_those_given(void)
     CHECK(twist == 0);
     CHECK_STATUS(pdn_model_inertia_count(in.model, &count), PDN_OK);
     CHECK(count == 2);
-    CHECK_STATUS(pdn_model_inertia(in.model, 1, &node, matrix), PDN_OK);
+    CHECK_STATUS(pdn_model_inertia(in.model, INERTIA(1), &node, matrix), PDN_OK);
     CHECK(node == NODE(1));
+    CHECK_STATUS(pdn_model_inertia_of(in.model, NODE(1), &count), PDN_OK);
+    CHECK(count == INERTIA(1));
     CHECK_NEAR(matrix[0], 3, 1e-15);
     CHECK_NEAR(matrix[28], 0.4, 1e-15);
 }
@@ -225,24 +229,55 @@ static void wrong_calls_are_refused(void)
     REFUSES_EACH(in.index, int32_t, none,
                  pdn_model_beam_element_node(in.model, BEAM_ELEMENT(0), in.index, &out.id),
                  PDN_ERR_ID, "index: ");
-    REFUSED(pdn_model_inertia(in.model, 2, &out.id, out.numbers), PDN_ERR_ID, "index: ");
-    REFUSED(pdn_model_inertia(in.model, 0, NULL, out.numbers), PDN_ERR_NULL, "node");
-    REFUSED(pdn_model_inertia(in.model, 0, &out.id, NULL), PDN_ERR_NULL, "matrix");
-    REFUSED(pdn_model_prescribed(in.model, 1, &out.id, &out.other), PDN_ERR_ID, "index: ");
-    REFUSED(pdn_model_prescribed(in.model, 0, &out.id, NULL), PDN_ERR_NULL, "coordinate");
-    REFUSED(pdn_model_load_at(in.model, 1, &out.id, &out.other), PDN_ERR_ID, "index: ");
+    in.id = INERTIA(2);
+    REFUSES_EACH(in.id, int32_t, none, pdn_model_inertia(in.model, in.id, &out.id, out.numbers),
+                 PDN_ERR_ID, "inertia: expected an inertia id from 1100000000 to 1100000001, got ");
+    REFUSED(pdn_model_inertia(in.model, INERTIA(2), &out.id, out.numbers), PDN_ERR_ID, "inertia: ");
+    REFUSED(pdn_model_inertia(in.model, INERTIA(0), NULL, out.numbers), PDN_ERR_NULL, "node");
+    REFUSED(pdn_model_inertia(in.model, INERTIA(0), &out.id, NULL), PDN_ERR_NULL, "matrix");
+    REFUSED(pdn_model_inertia_of(in.model, INERTIA(0), &out.id), PDN_ERR_ID,
+            "node: expected a node id from 100000000 to 100000008, got 1100000000, which is the "
+            "id of inertia 0");
+    REFUSED(pdn_model_inertia_of(in.model, NODE(2), &out.id), PDN_ERR_NOT_AVAILABLE,
+            "node: expected one that has inertia, got node 2");
+    REFUSED(pdn_model_inertia_of(in.model, NODE(0), NULL), PDN_ERR_NULL, "inertia");
+    in.id = PRESCRIBED(1);
+    REFUSES_EACH(in.id, int32_t, none, pdn_model_prescribed(in.model, in.id, &out.id, &out.other),
+                 PDN_ERR_ID, "prescribed: expected a prescribed coordinate id from 1200000000 to ");
+    REFUSED(pdn_model_prescribed(in.model, PRESCRIBED(1), &out.id, &out.other), PDN_ERR_ID,
+            "prescribed: ");
+    REFUSED(pdn_model_prescribed(in.model, PRESCRIBED(0), &out.id, NULL), PDN_ERR_NULL,
+            "coordinate");
+    REFUSES_EACH(in.id, int32_t, none, pdn_model_load_at(in.model, in.id, &out.id, &out.other),
+                 PDN_ERR_ID, "load: expected a load id from 800000000 to 800000000, got ");
+    REFUSED(pdn_model_load_at(in.model, BEAM_LOAD(0), &out.id, &out.other), PDN_ERR_ID,
+            "load: expected a load id from 800000000 to 800000000, got 900000000, which is the id "
+            "of beam load 0");
     REFUSED(pdn_model_relation_term_count(in.model, RELATION(1), &out.id), PDN_ERR_ID,
             "relation: ");
     REFUSED(pdn_model_relation_term(in.model, RELATION(0), 2, &out.id, &out.other, &out.number),
             PDN_ERR_ID, "index: ");
 #define SAMPLE(place, component)                                                                   \
-    pdn_model_sample_signal(in.model, place, in.index, component, in.period, in.times, 2,          \
-                            out.numbers)
+    pdn_model_sample_signal(in.model, place, in.id, component, in.period, in.times, 2, out.numbers)
     in.period = 2;
+    in.id = 0;
     REFUSED(SAMPLE(99, 0), PDN_ERR_VALUE, "place: ");
     REFUSED(SAMPLE(PDN_SIGNAL_OF_GRAVITY, 0), PDN_ERR_NOT_AVAILABLE, "place: ");
+    REFUSED(SAMPLE(PDN_SIGNAL_OF_BEAM_LOAD, PDN_FORCE_1), PDN_ERR_ID,
+            "id: expected a beam load id though there is none yet, got 0");
+    REFUSED(SAMPLE(PDN_SIGNAL_OF_SHELL_LOAD, PDN_FORCE_1), PDN_ERR_ID,
+            "id: expected a shell load id though there is none yet, got 0");
+    REFUSES_EACH(in.id, int32_t, none, SAMPLE(PDN_SIGNAL_OF_LOAD, PDN_FORCE_2), PDN_ERR_ID,
+                 "id: expected a load id");
+    in.id = LOAD(0);
+    REFUSED(SAMPLE(PDN_SIGNAL_OF_GRAVITY, 0), PDN_ERR_VALUE,
+            "id: expected 0 for what is of the whole model, got 800000000");
     REFUSED(SAMPLE(PDN_SIGNAL_OF_LOAD, PDN_FORCE_1), PDN_ERR_NOT_AVAILABLE, "place: ");
     REFUSED(SAMPLE(PDN_SIGNAL_OF_LOAD, -1), PDN_ERR_VALUE, "component: ");
+    REFUSED(SAMPLE(PDN_SIGNAL_OF_PRESCRIBED, 0), PDN_ERR_ID,
+            "id: expected a prescribed coordinate id from 1200000000 to 1200000000, got 800000000, "
+            "which is the id of load 0");
+    in.id = PRESCRIBED(0);
     REFUSES_NOT_FINITE(in.period, SAMPLE(PDN_SIGNAL_OF_PRESCRIBED, 0), "period");
     REFUSES_NOT_FINITE_ENTRIES(in.times, 2, SAMPLE(PDN_SIGNAL_OF_PRESCRIBED, 0), "times");
     in.period = 0;

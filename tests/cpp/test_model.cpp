@@ -243,10 +243,10 @@ static void everything()
     }();
     const auto a = m.add_rigid_body(1, origin, identity);
     const auto b = m.add_rigid_body(2, {3, 0, 0}, identity);
-    m.add_mass(a, 1, axis_1);
-    m.add_mass(a, 1, axis_1, identity);
-    m.add_inertia(b, unit);
-    m.add_inertia(b, at_origin, unit);
+    CHECK(m.add_mass(a, 1, axis_1) == pdn::first_inertia + 2);
+    CHECK(m.add_mass(a, 1, axis_1, identity) == pdn::first_inertia + 3);
+    CHECK(m.add_inertia(b, unit) == pdn::first_inertia + 4);
+    CHECK(m.add_inertia(b, at_origin, unit) == pdn::first_inertia + 5);
     std::int32_t joints = 0;
     for (const auto joint : {
              m.add_prismatic(pdn::ground, a, origin, axis_3),
@@ -264,8 +264,9 @@ static void everything()
         CHECK(joint == pdn::first_joint + joints++);
     }
     CHECK(m.joint_count() == joints);
-    m.prescribe(pdn::first_joint, Coordinate::displacement, 0.1);
-    m.prescribe(joint(8), Coordinate::rotation, pdn::Signal::samples(0, {0, 0.1, 0}));
+    CHECK(m.prescribe(pdn::first_joint, Coordinate::displacement, 0.1) == pdn::first_prescribed);
+    CHECK(m.prescribe(joint(8), Coordinate::rotation, pdn::Signal::samples(0, {0, 0.1, 0})) ==
+          pdn::first_prescribed + 1);
     m.set_gravity({0, 0, -9.81});
     m.set_gravity(0.0, 0.0, [](double) { return -9.81; });
     m.set_turning_frame({0, 0, 2}, 1.5, {1, 0, 0});
@@ -336,8 +337,9 @@ static void everything()
     CHECK(m.force_number(pdn::first_force + 1, pdn::ForceNumber::stiffness, 2) == 2);
     CHECK(m.relation_terms(pdn::first_relation)[1].coefficient == -2);
     CHECK(m.relation_terms(pdn::first_relation)[1].coordinate == Coordinate::rotation);
-    CHECK(m.prescribed(1).first == joint(8));
-    CHECK(m.inertia_count() > 2 && m.inertia(0).first == a);
+    CHECK(m.prescribed(pdn::first_prescribed + 1).first == joint(8));
+    CHECK(m.inertia_count() == 6 && m.inertia(pdn::first_inertia + 4).first == b);
+    CHECK(m.inertia_of(b) == pdn::first_inertia + 1);
     CHECK(m.load_count() == 0);
     CHECK(m.sample_signal(pdn::SignalOf::gravity, 0, 2, 1, {0, 0.3})[1] == -9.81);
     CHECK(m.force_count() == forces);
