@@ -2700,6 +2700,44 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_add_parameter
         end function pdn_model_add_parameter
 
+        ! Number of parameters; their ids follow each other from PDN_FIRST_PARAMETER on
+        function pdn_model_parameter_count(model, count) bind(C, name="pdn_model_parameter_count")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), intent(inout) :: count
+            integer(c_int32_t) :: pdn_model_parameter_count
+        end function pdn_model_parameter_count
+
+        ! Value and scale of a parameter
+        function pdn_model_parameter(model, parameter, value, scale) bind(C, name="pdn_model_parameter")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: parameter
+            real(c_double), intent(inout) :: value
+            real(c_double), intent(inout), optional :: scale
+            integer(c_int32_t) :: pdn_model_parameter
+        end function pdn_model_parameter
+
+        ! The name of a parameter
+        function pdn_model_parameter_name(model, parameter, buffer, &
+            capacity) bind(C, name="pdn_model_parameter_name")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: parameter
+            character(kind=c_char), intent(inout), optional :: buffer(*)
+            integer(c_size_t), value :: capacity
+            integer(c_size_t) :: pdn_model_parameter_name
+        end function pdn_model_parameter_name
+
+        ! The parameter that has a name
+        function pdn_model_find_parameter(model, name, parameter) bind(C, name="pdn_model_find_parameter")
+            import
+            type(c_ptr), value :: model
+            character(kind=c_char), intent(in) :: name(*)
+            integer(c_int32_t), intent(inout) :: parameter
+            integer(c_int32_t) :: pdn_model_find_parameter
+        end function pdn_model_find_parameter
+
         ! Lets a parameter move a number of the model: it becomes `factor` times the parameter's value, now and ...
         function pdn_model_move_number(model, parameter, number, id, power, &
             factor) bind(C, name="pdn_model_move_number")
@@ -2886,24 +2924,6 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_prescribed
         end function pdn_model_prescribed
 
-        ! Number of loads on nodes; their ids follow each other from PDN_FIRST_LOAD on
-        function pdn_model_load_count(model, count) bind(C, name="pdn_model_load_count")
-            import
-            type(c_ptr), value :: model
-            integer(c_int32_t), intent(inout) :: count
-            integer(c_int32_t) :: pdn_model_load_count
-        end function pdn_model_load_count
-
-        ! A load on a node; its components are signals, ::pdn_model_sample_signal
-        function pdn_model_load_at(model, load, node, frame) bind(C, name="pdn_model_load_at")
-            import
-            type(c_ptr), value :: model
-            integer(c_int32_t), value :: load
-            integer(c_int32_t), intent(inout) :: node
-            integer(c_int32_t), intent(inout) :: frame
-            integer(c_int32_t) :: pdn_model_load_at
-        end function pdn_model_load_at
-
         ! Number of coordinates of a linear relation
         function pdn_model_relation_term_count(model, relation, &
             count) bind(C, name="pdn_model_relation_term_count")
@@ -2941,6 +2961,79 @@ module periodyn_c
             real(c_double), intent(inout) :: values(*)
             integer(c_int32_t) :: pdn_model_sample_signal
         end function pdn_model_sample_signal
+
+        ! Number of loads on nodes; their ids follow each other from PDN_FIRST_LOAD on
+        function pdn_model_load_count(model, count) bind(C, name="pdn_model_load_count")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), intent(inout) :: count
+            integer(c_int32_t) :: pdn_model_load_count
+        end function pdn_model_load_count
+
+        ! A load on a node; its components are signals, ::pdn_model_sample_signal
+        function pdn_model_load_at(model, load, node, frame) bind(C, name="pdn_model_load_at")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: load
+            integer(c_int32_t), intent(inout) :: node
+            integer(c_int32_t), intent(inout) :: frame
+            integer(c_int32_t) :: pdn_model_load_at
+        end function pdn_model_load_at
+
+        ! Number of loads along beam elements; their ids follow each other from PDN_FIRST_BEAM_LOAD on
+        function pdn_model_beam_load_count(model, count) bind(C, name="pdn_model_beam_load_count")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), intent(inout) :: count
+            integer(c_int32_t) :: pdn_model_beam_load_count
+        end function pdn_model_beam_load_count
+
+        ! A load along beam elements; its components are signals, ::pdn_model_sample_signal, times the factors of ...
+        function pdn_model_beam_load(model, load, first_element, elements, frame, axis_2, &
+            places) bind(C, name="pdn_model_beam_load")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: load
+            integer(c_int32_t), intent(inout) :: first_element
+            integer(c_int32_t), intent(inout) :: elements
+            integer(c_int32_t), intent(inout) :: frame
+            real(c_double), intent(inout), optional :: axis_2(*)
+            integer(c_int32_t), intent(inout) :: places
+            integer(c_int32_t) :: pdn_model_beam_load
+        end function pdn_model_beam_load
+
+        ! Factor of a load along beam elements at a place; it is linear in between
+        function pdn_model_beam_load_factor(model, load, index, fraction, &
+            factor) bind(C, name="pdn_model_beam_load_factor")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: load
+            integer(c_int32_t), value :: index
+            real(c_double), intent(inout) :: fraction
+            real(c_double), intent(inout) :: factor
+            integer(c_int32_t) :: pdn_model_beam_load_factor
+        end function pdn_model_beam_load_factor
+
+        ! Number of loads on shell elements; their ids follow each other from PDN_FIRST_SHELL_LOAD on
+        function pdn_model_shell_load_count(model, count) bind(C, name="pdn_model_shell_load_count")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), intent(inout) :: count
+            integer(c_int32_t) :: pdn_model_shell_load_count
+        end function pdn_model_shell_load_count
+
+        ! A load on shell elements; its components are signals, ::pdn_model_sample_signal
+        function pdn_model_shell_load(model, load, first_element, elements, place, &
+            frame) bind(C, name="pdn_model_shell_load")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: load
+            integer(c_int32_t), intent(inout) :: first_element
+            integer(c_int32_t), intent(inout) :: elements
+            integer(c_int32_t), intent(inout) :: place
+            integer(c_int32_t), intent(inout) :: frame
+            integer(c_int32_t) :: pdn_model_shell_load
+        end function pdn_model_shell_load
 
         ! Makes an empty list: no parameter is free
         function pdn_conditions_new(out) bind(C, name="pdn_conditions_new")
@@ -3897,6 +3990,15 @@ module periodyn
         procedure, public :: prescribed => model_prescribed
         procedure, public :: load_count => model_load_count
         procedure, public :: load_at => model_load_at
+        procedure, public :: beam_load_count => model_beam_load_count
+        procedure, public :: beam_load => model_beam_load
+        procedure, public :: beam_load_factor => model_beam_load_factor
+        procedure, public :: shell_load_count => model_shell_load_count
+        procedure, public :: shell_load => model_shell_load
+        procedure, public :: parameter_count => model_parameter_count
+        procedure, public :: parameter => model_parameter
+        procedure, public :: parameter_name => model_parameter_name
+        procedure, public :: find_parameter => model_find_parameter
         procedure, public :: relation_term_count => model_relation_term_count
         procedure, public :: relation_term => model_relation_term
         procedure, public :: sample_signal => model_sample_signal
@@ -4877,6 +4979,107 @@ contains
 
         call report(pdn_model_load_at(self%c, load, node, frame), stat, errmsg)
     end subroutine model_load_at
+
+    ! Number of loads along beam elements.
+    subroutine model_beam_load_count(self, count, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: count
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_beam_load_count(self%c, count), stat, errmsg)
+    end subroutine model_beam_load_count
+
+    ! A load along beam elements, and its number of places.
+    subroutine model_beam_load(self, load, first_element, elements, frame, places, axis_2, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: load
+        integer(c_int32_t), intent(inout) :: first_element, elements, frame, places
+        real(c_double), intent(inout), optional :: axis_2(3)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_beam_load(self%c, load, first_element, elements, frame, axis_2, places), stat, errmsg)
+    end subroutine model_beam_load
+
+    ! Factor of a load along beam elements at a place; index is from 0.
+    subroutine model_beam_load_factor(self, load, index, fraction, factor, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: load, index
+        real(c_double), intent(inout) :: fraction, factor
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_beam_load_factor(self%c, load, index, fraction, factor), stat, errmsg)
+    end subroutine model_beam_load_factor
+
+    ! Number of loads on shell elements.
+    subroutine model_shell_load_count(self, count, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: count
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_shell_load_count(self%c, count), stat, errmsg)
+    end subroutine model_shell_load_count
+
+    ! A load on shell elements.
+    subroutine model_shell_load(self, load, first_element, elements, place, frame, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: load
+        integer(c_int32_t), intent(inout) :: first_element, elements, place, frame
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_shell_load(self%c, load, first_element, elements, place, frame), stat, errmsg)
+    end subroutine model_shell_load
+
+    ! Number of parameters.
+    subroutine model_parameter_count(self, count, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: count
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_parameter_count(self%c, count), stat, errmsg)
+    end subroutine model_parameter_count
+
+    ! Value and scale of a parameter.
+    subroutine model_parameter(self, parameter, value, scale, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: parameter
+        real(c_double), intent(inout) :: value
+        real(c_double), intent(inout), optional :: scale
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_parameter(self%c, parameter, value, scale), stat, errmsg)
+    end subroutine model_parameter
+
+    ! The name of a parameter, empty if there is no such parameter.
+    subroutine model_parameter_name(self, parameter, name)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: parameter
+        character(:), allocatable, intent(inout) :: name
+        character(kind=c_char), allocatable :: buffer(:)
+        integer(c_size_t) :: length
+
+        length = pdn_model_parameter_name(self%c, parameter, capacity=0_c_size_t)
+        allocate (buffer(length + 1))
+        length = pdn_model_parameter_name(self%c, parameter, buffer, length + 1)
+        name = joined(buffer(:length))
+    end subroutine model_parameter_name
+
+    ! The parameter that has a name.
+    subroutine model_find_parameter(self, name, parameter, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        character(*), intent(in) :: name
+        integer(c_int32_t), intent(inout) :: parameter
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_find_parameter(self%c, name//c_null_char, parameter), stat, errmsg)
+    end subroutine model_find_parameter
 
     ! Number of coordinates of a linear relation.
     subroutine model_relation_term_count(self, relation, count, stat, errmsg)

@@ -3990,8 +3990,12 @@ pdn_status pdn_model_add_rigid_body(struct pdn_model *model,
  * @since 0.1
  */
 PDN_API
-pdn_status pdn_model_add_mass(struct pdn_model *model, int32_t node, double mass,
-                              const double *centre, const double *inertia, int32_t *id);
+pdn_status pdn_model_add_mass(struct pdn_model *model,
+                              int32_t node,
+                              double mass,
+                              const double *centre,
+                              const double *inertia,
+                              int32_t *id);
 
 /**
  * Fixes an inertia of any kind to a node, in addition to what the node has.
@@ -4012,8 +4016,11 @@ pdn_status pdn_model_add_mass(struct pdn_model *model, int32_t node, double mass
  * @since 0.1
  */
 PDN_API
-pdn_status pdn_model_add_inertia(struct pdn_model *model, int32_t node,
-                                 const struct pdn_frame *frame, const double *matrix, int32_t *id);
+pdn_status pdn_model_add_inertia(struct pdn_model *model,
+                                 int32_t node,
+                                 const struct pdn_frame *frame,
+                                 const double *matrix,
+                                 int32_t *id);
 
 /**
  * Makes a joint coordinate follow a signal. Each coordinate can be prescribed once.
@@ -4033,8 +4040,11 @@ pdn_status pdn_model_add_inertia(struct pdn_model *model, int32_t node,
  * @since 0.1
  */
 PDN_API
-pdn_status pdn_model_prescribe(struct pdn_model *model, int32_t joint, int32_t coordinate,
-                               const struct pdn_signal *signal, int32_t *prescribed);
+pdn_status pdn_model_prescribe(struct pdn_model *model,
+                               int32_t joint,
+                               int32_t coordinate,
+                               const struct pdn_signal *signal,
+                               int32_t *prescribed);
 
 /**
  * Fixes two bodies to each other.
@@ -4665,8 +4675,12 @@ pdn_status pdn_model_add_beam_between(struct pdn_model *model,
  * @since 0.1
  */
 PDN_API
-pdn_status pdn_model_add_load(struct pdn_model *model, int32_t node, int32_t frame,
-                              int32_t component, const struct pdn_signal *signal, int32_t *load);
+pdn_status pdn_model_add_load(struct pdn_model *model,
+                              int32_t node,
+                              int32_t frame,
+                              int32_t component,
+                              const struct pdn_signal *signal,
+                              int32_t *load);
 
 /**
  * Sets the acceleration of gravity, in place of any set before. Without this call there is none.
@@ -4733,10 +4747,16 @@ pdn_status pdn_model_set_gravity_signals(struct pdn_model *model,
  * @since 0.1
  */
 PDN_API
-pdn_status pdn_model_add_distributed_load(struct pdn_model *model, int32_t first_element,
-                                          int32_t elements, int32_t frame, int32_t component,
-                                          const struct pdn_signal *signal, const double *fractions,
-                                          const double *factors, size_t count, int32_t *load);
+pdn_status pdn_model_add_distributed_load(struct pdn_model *model,
+                                          int32_t first_element,
+                                          int32_t elements,
+                                          int32_t frame,
+                                          int32_t component,
+                                          const struct pdn_signal *signal,
+                                          const double *fractions,
+                                          const double *factors,
+                                          size_t count,
+                                          int32_t *load);
 
 /**
  * Adds a force and moment distributed along beam elements, all components at all places at once,
@@ -4772,10 +4792,15 @@ pdn_status pdn_model_add_distributed_load(struct pdn_model *model, int32_t first
  * @since 0.1
  */
 PDN_API
-pdn_status pdn_model_add_load_at_places(struct pdn_model *model, int32_t first_element,
-                                        int32_t elements, int32_t frame, const double *axis_2,
-                                        const double *fractions, const struct pdn_signal *signals,
-                                        size_t count, int32_t *first_load);
+pdn_status pdn_model_add_load_at_places(struct pdn_model *model,
+                                        int32_t first_element,
+                                        int32_t elements,
+                                        int32_t frame,
+                                        const double *axis_2,
+                                        const double *fractions,
+                                        const struct pdn_signal *signals,
+                                        size_t count,
+                                        int32_t *first_load);
 
 /**
  * Describes everything in a frame that turns about a fixed axis at a constant rate, in place of
@@ -5314,9 +5339,13 @@ pdn_status pdn_model_shell_node(const struct pdn_model *model,
  * @since 0.1
  */
 PDN_API
-pdn_status pdn_model_add_shell_load(struct pdn_model *model, int32_t first_element,
-                                    int32_t elements, int32_t place, int32_t frame,
-                                    int32_t component, const struct pdn_signal *signal,
+pdn_status pdn_model_add_shell_load(struct pdn_model *model,
+                                    int32_t first_element,
+                                    int32_t elements,
+                                    int32_t place,
+                                    int32_t frame,
+                                    int32_t component,
+                                    const struct pdn_signal *signal,
                                     int32_t *load);
 
 /**
@@ -7302,6 +7331,74 @@ pdn_status pdn_model_add_parameter(struct pdn_model *model,
                                    int32_t *out);
 
 /**
+ * Number of parameters; their ids follow each other from PDN_FIRST_PARAMETER on.
+ *
+ * @param model  the model; not NULL
+ * @param count  the number; written on success only
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_parameter_count(const struct pdn_model *model,
+                                     int32_t *count);
+
+/**
+ * Value and scale of a parameter.
+ *
+ * @param model  the model; not NULL
+ * @param parameter  id of the parameter
+ * @param value  its value; written on success only
+ * @param scale  what counts as 1 in it; may be NULL if it is not wanted; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_parameter(const struct pdn_model *model,
+                               int32_t parameter,
+                               double *value,
+                               double *scale);
+
+/**
+ * The name of a parameter.
+ *
+ * @param model  the model; not NULL
+ * @param parameter  id of the parameter
+ * @param buffer  array of length [capacity] for the name, UTF-8, always ended by NUL; may be NULL
+ *     if capacity is 0
+ * @param capacity  size of buffer in bytes
+ * @return length of the name without the NUL, as snprintf does; 0 if the handle or id is not
+ *     valid, see ::pdn_last_error
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+size_t pdn_model_parameter_name(const struct pdn_model *model,
+                                int32_t parameter,
+                                char *buffer,
+                                size_t capacity);
+
+/**
+ * The parameter that has a name.
+ *
+ * @param model  the model; not NULL
+ * @param name  the name; not NULL
+ * @param parameter  id of the parameter; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (none has this name)
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_find_parameter(const struct pdn_model *model,
+                                    const char *name,
+                                    int32_t *parameter);
+
+/**
  * Lets a parameter move a number of the model: it becomes `factor` times the parameter's value,
  * now and whenever that changes.
  *
@@ -7319,8 +7416,12 @@ pdn_status pdn_model_add_parameter(struct pdn_model *model,
  * @since 0.1
  */
 PDN_API
-pdn_status pdn_model_move_number(struct pdn_model *model, int32_t parameter, int32_t number,
-                                 int32_t id, int32_t power, double factor);
+pdn_status pdn_model_move_number(struct pdn_model *model,
+                                 int32_t parameter,
+                                 int32_t number,
+                                 int32_t id,
+                                 int32_t power,
+                                 double factor);
 
 /**
  * Lets a parameter move a part of a signal: it becomes `factor` times the parameter's value, now
@@ -7340,8 +7441,13 @@ pdn_status pdn_model_move_number(struct pdn_model *model, int32_t parameter, int
  * @since 0.1
  */
 PDN_API
-pdn_status pdn_model_move_signal(struct pdn_model *model, int32_t parameter, int32_t place,
-                                 int32_t id, int32_t component, int32_t part, double factor);
+pdn_status pdn_model_move_signal(struct pdn_model *model,
+                                 int32_t parameter,
+                                 int32_t place,
+                                 int32_t id,
+                                 int32_t component,
+                                 int32_t part,
+                                 double factor);
 
 /**
  * Gives a parameter another value, and all that it moves.
@@ -7591,7 +7697,9 @@ pdn_status pdn_model_inertia_count(const struct pdn_model *model,
  * @since 0.1
  */
 PDN_API
-pdn_status pdn_model_inertia(const struct pdn_model *model, int32_t inertia, int32_t *node,
+pdn_status pdn_model_inertia(const struct pdn_model *model,
+                             int32_t inertia,
+                             int32_t *node,
                              double *matrix);
 
 /**
@@ -7606,7 +7714,9 @@ pdn_status pdn_model_inertia(const struct pdn_model *model, int32_t inertia, int
  * @since 0.1
  */
 PDN_API
-pdn_status pdn_model_inertia_of(const struct pdn_model *model, int32_t node, int32_t *inertia);
+pdn_status pdn_model_inertia_of(const struct pdn_model *model,
+                                int32_t node,
+                                int32_t *inertia);
 
 /**
  * A prescribed coordinate; ::pdn_model_summary tells how many there are, whose ids follow each
@@ -7622,38 +7732,10 @@ pdn_status pdn_model_inertia_of(const struct pdn_model *model, int32_t node, int
  * @since 0.1
  */
 PDN_API
-pdn_status pdn_model_prescribed(const struct pdn_model *model, int32_t prescribed, int32_t *joint,
+pdn_status pdn_model_prescribed(const struct pdn_model *model,
+                                int32_t prescribed,
+                                int32_t *joint,
                                 int32_t *coordinate);
-
-/**
- * Number of loads on nodes; their ids follow each other from PDN_FIRST_LOAD on.
- *
- * @param model  the model; not NULL
- * @param count  the number; written on success only
- * @return PDN_OK, PDN_ERR_NULL
- *
- * Threads: `model` is `const`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_model_load_count(const struct pdn_model *model,
-                                int32_t *count);
-
-/**
- * A load on a node; its components are signals, ::pdn_model_sample_signal.
- *
- * @param model  the model; not NULL
- * @param load  id of the load
- * @param node  the node's id; written on success only
- * @param frame  PDN_FRAME_SPACE or PDN_FRAME_MATERIAL; written on success only
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
- *
- * Threads: `model` is `const`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_model_load_at(const struct pdn_model *model, int32_t load, int32_t *node,
-                             int32_t *frame);
 
 /**
  * Number of coordinates of a linear relation.
@@ -7712,9 +7794,145 @@ pdn_status pdn_model_relation_term(const struct pdn_model *model,
  * @since 0.1
  */
 PDN_API
-pdn_status pdn_model_sample_signal(const struct pdn_model *model, int32_t place, int32_t id,
-                                   int32_t component, double period, const double *times,
-                                   size_t count, double *values);
+pdn_status pdn_model_sample_signal(const struct pdn_model *model,
+                                   int32_t place,
+                                   int32_t id,
+                                   int32_t component,
+                                   double period,
+                                   const double *times,
+                                   size_t count,
+                                   double *values);
+
+/**
+ * Number of loads on nodes; their ids follow each other from PDN_FIRST_LOAD on.
+ *
+ * @param model  the model; not NULL
+ * @param count  the number; written on success only
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_load_count(const struct pdn_model *model,
+                                int32_t *count);
+
+/**
+ * A load on a node; its components are signals, ::pdn_model_sample_signal.
+ *
+ * @param model  the model; not NULL
+ * @param load  id of the load
+ * @param node  the node's id; written on success only
+ * @param frame  PDN_FRAME_SPACE or PDN_FRAME_MATERIAL; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_load_at(const struct pdn_model *model,
+                             int32_t load,
+                             int32_t *node,
+                             int32_t *frame);
+
+/**
+ * Number of loads along beam elements; their ids follow each other from PDN_FIRST_BEAM_LOAD on.
+ *
+ * @param model  the model; not NULL
+ * @param count  the number; written on success only
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_beam_load_count(const struct pdn_model *model,
+                                     int32_t *count);
+
+/**
+ * A load along beam elements; its components are signals, ::pdn_model_sample_signal, times the
+ * factors of ::pdn_model_beam_load_factor.
+ *
+ * @param model  the model; not NULL
+ * @param load  id of the beam load
+ * @param first_element  id of the first beam element; written on success only
+ * @param elements  number of elements, from the first on; written on success only
+ * @param frame  PDN_FRAME_SPACE, PDN_FRAME_MATERIAL or PDN_FRAME_UNTWISTED; written on success
+ *     only
+ * @param axis_2  array of length 3: direction that was given with PDN_FRAME_UNTWISTED, else zero;
+ *     may be NULL if it is not wanted; written on success only
+ * @param places  number of places with factors, 0 for a factor of 1 all along; written on success
+ *     only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_beam_load(const struct pdn_model *model,
+                               int32_t load,
+                               int32_t *first_element,
+                               int32_t *elements,
+                               int32_t *frame,
+                               double *axis_2,
+                               int32_t *places);
+
+/**
+ * Factor of a load along beam elements at a place; it is linear in between.
+ *
+ * @param model  the model; not NULL
+ * @param load  id of the beam load
+ * @param index  which of its places, from 0, in order along the elements
+ * @param fraction  the place, as a fraction of the reference length of its elements; written on
+ *     success only
+ * @param factor  the factor there; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_beam_load_factor(const struct pdn_model *model,
+                                      int32_t load,
+                                      int32_t index,
+                                      double *fraction,
+                                      double *factor);
+
+/**
+ * Number of loads on shell elements; their ids follow each other from PDN_FIRST_SHELL_LOAD on.
+ *
+ * @param model  the model; not NULL
+ * @param count  the number; written on success only
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_shell_load_count(const struct pdn_model *model,
+                                      int32_t *count);
+
+/**
+ * A load on shell elements; its components are signals, ::pdn_model_sample_signal.
+ *
+ * @param model  the model; not NULL
+ * @param load  id of the shell load
+ * @param first_element  id of the first shell element; written on success only
+ * @param elements  number of elements, from the first on; written on success only
+ * @param place  PDN_SHELL_SURFACE or an edge, of each of them; written on success only
+ * @param frame  PDN_FRAME_SPACE or PDN_FRAME_MATERIAL; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_shell_load(const struct pdn_model *model,
+                                int32_t load,
+                                int32_t *first_element,
+                                int32_t *elements,
+                                int32_t *place,
+                                int32_t *frame);
 
 /**
  * Makes an empty list: no parameter is free.

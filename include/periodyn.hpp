@@ -265,6 +265,22 @@ struct RelationTerm {
     double coefficient;
 };
 
+/** A load along beam elements: its signals times factors, linear between fractions of their length; 1 if there are
+ * none. axis_2 is the direction of Frame::untwisted. */
+struct BeamLoad {
+    std::int32_t first_element = 0, elements = 0;
+    Frame frame = Frame::space;
+    std::array<double, 3> axis_2{};
+    std::vector<double> fractions, factors;
+};
+
+/** A load on shell elements. */
+struct ShellLoad {
+    std::int32_t first_element = 0, elements = 0;
+    ShellPlace place = ShellPlace::surface;
+    Frame frame = Frame::space;
+};
+
 /** Bytes of a label at most. */
 constexpr std::int32_t longest_label = PDN_LABEL_LENGTH;
 
@@ -1405,6 +1421,61 @@ class Model
         std::int32_t frame = 0;
         detail::check(pdn_model_load_at(get(), load, &node, &frame));
         return {node, static_cast<Frame>(frame)};
+    }
+    Id beam_load_count() const
+    {
+        return id([&](Id *out) { return pdn_model_beam_load_count(get(), out); });
+    }
+    BeamLoad beam_load(Id load) const
+    {
+        BeamLoad out;
+        std::int32_t frame = 0, places = 0;
+        detail::check(pdn_model_beam_load(get(), load, &out.first_element, &out.elements, &frame,
+                                          out.axis_2.data(), &places));
+        out.frame = static_cast<Frame>(frame);
+        out.fractions.resize(static_cast<std::size_t>(places));
+        out.factors.resize(out.fractions.size());
+        for (std::int32_t i = 0; i < places; ++i) {
+            const auto k = static_cast<std::size_t>(i);
+            detail::check(
+                pdn_model_beam_load_factor(get(), load, i, &out.fractions[k], &out.factors[k]));
+        }
+        return out;
+    }
+    Id shell_load_count() const
+    {
+        return id([&](Id *out) { return pdn_model_shell_load_count(get(), out); });
+    }
+    ShellLoad shell_load(Id load) const
+    {
+        ShellLoad out;
+        std::int32_t place = 0, frame = 0;
+        detail::check(pdn_model_shell_load(get(), load, &out.first_element, &out.elements, &place,
+                                           &frame));
+        out.place = static_cast<ShellPlace>(place);
+        out.frame = static_cast<Frame>(frame);
+        return out;
+    }
+    Id parameter_count() const
+    {
+        return id([&](Id *out) { return pdn_model_parameter_count(get(), out); });
+    }
+    /** Value and scale of a parameter. */
+    std::pair<double, double> parameter(Id parameter) const
+    {
+        std::pair<double, double> out;
+        detail::check(pdn_model_parameter(get(), parameter, &out.first, &out.second));
+        return out;
+    }
+    std::string parameter_name(Id parameter) const
+    {
+        return detail::text([&](char *buffer, std::size_t size) {
+            return pdn_model_parameter_name(get(), parameter, buffer, size);
+        });
+    }
+    Id find_parameter(const std::string &name) const
+    {
+        return id([&](Id *out) { return pdn_model_find_parameter(get(), name.c_str(), out); });
     }
     std::vector<RelationTerm> relation_terms(Id relation) const
     {

@@ -391,7 +391,7 @@ impl Session<'_, '_> {
             signal,
             &mut id,
         ));
-        let kind = self.bytes.constant(PDN_OBJECT_NODE, 6);
+        let kind = self.bytes.constant(PDN_OBJECT_NODE, 11);
         let label = [b'a' + self.bytes.byte() % 4, 0];
         let label = label.as_ptr().cast();
         let object = self.bytes.constant(PDN_FIRST_JOINT, joints);

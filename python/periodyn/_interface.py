@@ -4606,6 +4606,52 @@ class Model(ModelExtras):
         call(lib.pdn_model_add_parameter, self._c, text(name), value, scale, out)
         return out[0]
 
+    def parameter_count(self):
+        """Number of parameters; their ids follow each other from FIRST_PARAMETER on.
+
+        Returns:
+            count: the number
+        """
+        count = ffi.new("int32_t *")
+        call(lib.pdn_model_parameter_count, self._c, count)
+        return count[0]
+
+    def parameter(self, parameter):
+        """Value and scale of a parameter.
+
+        Args:
+            parameter: id of the parameter
+
+        Returns:
+            value: its value
+            scale: what counts as 1 in it
+        """
+        value = ffi.new("double *")
+        scale = ffi.new("double *")
+        call(lib.pdn_model_parameter, self._c, parameter, value, scale)
+        return value[0], scale[0]
+
+    def parameter_name(self, parameter):
+        """The name of a parameter.
+
+        Args:
+            parameter: id of the parameter
+        """
+        return text.of(lib.pdn_model_parameter_name, self._c, parameter)
+
+    def find_parameter(self, name):
+        """The parameter that has a name.
+
+        Args:
+            name: the name
+
+        Returns:
+            parameter: id of the parameter
+        """
+        parameter = ffi.new("int32_t *")
+        call(lib.pdn_model_find_parameter, self._c, text(name), parameter)
+        return parameter[0]
+
     def move_number(self, parameter, number, id, power, factor):
         """Lets a parameter move a number of the model: it becomes `factor` times the parameter's
         value, now and whenever that changes.
@@ -4823,31 +4869,6 @@ class Model(ModelExtras):
         call(lib.pdn_model_prescribed, self._c, prescribed, joint, coordinate)
         return joint[0], coordinate[0]
 
-    def load_count(self):
-        """Number of loads on nodes; their ids follow each other from FIRST_LOAD on.
-
-        Returns:
-            count: the number
-        """
-        count = ffi.new("int32_t *")
-        call(lib.pdn_model_load_count, self._c, count)
-        return count[0]
-
-    def load_at(self, load):
-        """A load on a node; its components are signals, Model.sample_signal.
-
-        Args:
-            load: id of the load
-
-        Returns:
-            node: the node's id
-            frame: FRAME_SPACE or FRAME_MATERIAL
-        """
-        node = ffi.new("int32_t *")
-        frame = ffi.new("int32_t *")
-        call(lib.pdn_model_load_at, self._c, load, node, frame)
-        return node[0], frame[0]
-
     def relation_term_count(self, relation):
         """Number of coordinates of a linear relation.
 
@@ -4916,6 +4937,118 @@ class Model(ModelExtras):
             pointer(values),
         )
         return values
+
+    def load_count(self):
+        """Number of loads on nodes; their ids follow each other from FIRST_LOAD on.
+
+        Returns:
+            count: the number
+        """
+        count = ffi.new("int32_t *")
+        call(lib.pdn_model_load_count, self._c, count)
+        return count[0]
+
+    def load_at(self, load):
+        """A load on a node; its components are signals, Model.sample_signal.
+
+        Args:
+            load: id of the load
+
+        Returns:
+            node: the node's id
+            frame: FRAME_SPACE or FRAME_MATERIAL
+        """
+        node = ffi.new("int32_t *")
+        frame = ffi.new("int32_t *")
+        call(lib.pdn_model_load_at, self._c, load, node, frame)
+        return node[0], frame[0]
+
+    def beam_load_count(self):
+        """Number of loads along beam elements; their ids follow each other from FIRST_BEAM_LOAD
+        on.
+
+        Returns:
+            count: the number
+        """
+        count = ffi.new("int32_t *")
+        call(lib.pdn_model_beam_load_count, self._c, count)
+        return count[0]
+
+    def beam_load(self, load):
+        """A load along beam elements; its components are signals, Model.sample_signal, times the
+        factors of Model.beam_load_factor.
+
+        Args:
+            load: id of the beam load
+
+        Returns:
+            first_element: id of the first beam element
+            elements: number of elements, from the first on
+            frame: FRAME_SPACE, FRAME_MATERIAL or FRAME_UNTWISTED
+            axis_2, of shape (3): direction that was given with FRAME_UNTWISTED, else zero
+            places: number of places with factors, 0 for a factor of 1 all along
+        """
+        first_element = ffi.new("int32_t *")
+        elements = ffi.new("int32_t *")
+        frame = ffi.new("int32_t *")
+        axis_2 = reals.empty((3,))
+        places = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_beam_load,
+            self._c,
+            load,
+            first_element,
+            elements,
+            frame,
+            pointer(axis_2),
+            places,
+        )
+        return first_element[0], elements[0], frame[0], axis_2, places[0]
+
+    def beam_load_factor(self, load, index):
+        """Factor of a load along beam elements at a place; it is linear in between.
+
+        Args:
+            load: id of the beam load
+            index: which of its places, from 0, in order along the elements
+
+        Returns:
+            fraction: the place, as a fraction of the reference length of its elements
+            factor: the factor there
+        """
+        fraction = ffi.new("double *")
+        factor = ffi.new("double *")
+        call(lib.pdn_model_beam_load_factor, self._c, load, index, fraction, factor)
+        return fraction[0], factor[0]
+
+    def shell_load_count(self):
+        """Number of loads on shell elements; their ids follow each other from FIRST_SHELL_LOAD on.
+
+        Returns:
+            count: the number
+        """
+        count = ffi.new("int32_t *")
+        call(lib.pdn_model_shell_load_count, self._c, count)
+        return count[0]
+
+    def shell_load(self, load):
+        """A load on shell elements; its components are signals, Model.sample_signal.
+
+        Args:
+            load: id of the shell load
+
+        Returns:
+            first_element: id of the first shell element
+            elements: number of elements, from the first on
+            place: SHELL_SURFACE or an edge, of each of them
+            frame: FRAME_SPACE or FRAME_MATERIAL
+        """
+        first_element = ffi.new("int32_t *")
+        elements = ffi.new("int32_t *")
+        place = ffi.new("int32_t *")
+        frame = ffi.new("int32_t *")
+        call(lib.pdn_model_shell_load, self._c, load, first_element, elements, place, frame)
+        return first_element[0], elements[0], place[0], frame[0]
 
     def solve_conditioned(
         self,

@@ -4,7 +4,6 @@ use super::bushing::angles_code;
 use super::guard::{guard, init};
 use super::id::Kind;
 use super::joint::{coordinate_code, joint_code};
-use super::load::{PDN_FRAME_MATERIAL, PDN_FRAME_SPACE};
 use super::model::{
     PDN_GROUND, beam_element, choose, count, force, joint, number, pdn_frame, pdn_model,
 };
@@ -13,7 +12,7 @@ use super::parameter::{PDN_NUMBER_DAMPING, PDN_NUMBER_STIFFNESS, signal_place};
 use super::section::pdn_section;
 use super::shell::place_code;
 use super::status::pdn_status;
-use crate::elements::{Attachment, JointKind, LoadFrame};
+use crate::elements::{Attachment, JointKind};
 use crate::error::{Error, ErrorKind, Result};
 use crate::model::{ForceDefinition, ForceNumber, Model};
 
@@ -518,53 +517,6 @@ pub unsafe extern "C" fn pdn_model_prescribed(
         let (at, _) = &model.prescribed()[index];
         joint_out.set(Kind::Joint.id(at.joint));
         coordinate_out.set(coordinate_code(at.coordinate));
-        Ok(())
-    })
-}
-
-/// Number of loads on nodes; their ids follow each other from PDN_FIRST_LOAD on.
-///
-/// @param model  the model; not NULL
-/// @param count  the number; written on success only
-/// @return PDN_OK, PDN_ERR_NULL
-///
-/// Threads: `model` is `const`.
-/// @since 0.1
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn pdn_model_load_count(
-    model: *const pdn_model,
-    count: *mut i32,
-) -> pdn_status {
-    self::count(model, count, |model| model.loads().len())
-}
-
-/// A load on a node; its components are signals, ::pdn_model_sample_signal.
-///
-/// @param model  the model; not NULL
-/// @param load  id of the load
-/// @param node  the node's id; written on success only
-/// @param frame  PDN_FRAME_SPACE or PDN_FRAME_MATERIAL; written on success only
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
-///
-/// Threads: `model` is `const`.
-/// @since 0.1
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn pdn_model_load_at(
-    model: *const pdn_model,
-    load: i32,
-    node: *mut i32,
-    frame: *mut i32,
-) -> pdn_status {
-    guard(|call| {
-        let model = call.shared(model, "model")?;
-        let load = &model.loads()[Kind::Load.index_in(&model, load, "load")?];
-        let node_out = call.out(node, "node")?;
-        let frame_out = call.out(frame, "frame")?;
-        node_out.set(Kind::Node.id(load.node));
-        frame_out.set(match load.frame {
-            LoadFrame::Space => PDN_FRAME_SPACE,
-            LoadFrame::Follower => PDN_FRAME_MATERIAL,
-        });
         Ok(())
     })
 }

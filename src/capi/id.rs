@@ -23,7 +23,6 @@ pub const PDN_FIRST_FORCE: i32 = 500000000;
 pub const PDN_FIRST_RELATION: i32 = 600000000;
 /// Id of the parameter that was added first.
 pub const PDN_FIRST_PARAMETER: i32 = 700000000;
-
 /// Id of the load on a node that was added first.
 pub const PDN_FIRST_LOAD: i32 = 800000000;
 /// Id of the load along beam elements that was added first.
@@ -38,7 +37,7 @@ pub const PDN_FIRST_PRESCRIBED: i32 = 1200000000;
 /// Most things of a kind.
 const MOST: i32 = 100_000_000;
 
-/// Of each kind.
+/// Ids of a kind.
 impl Kind {
     /// The id of the first.
     fn first(self) -> i32 {

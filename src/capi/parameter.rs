@@ -1,7 +1,8 @@
 //! Parameters of a model.
 
-use super::guard::guard;
+use super::guard::{guard, guard_or};
 use super::id::Kind;
+use super::last_error::copy_message;
 use super::load::component_place;
 use super::model::{choose, pdn_model};
 use super::solution::pdn_solution;
@@ -102,6 +103,107 @@ pub unsafe extern "C" fn pdn_model_add_parameter(
         let id = Kind::Parameter.next(&model, 1, "parameters")?;
         model.add_parameter(name, value, scale)?;
         out.set(id);
+        Ok(())
+    })
+}
+
+/// Number of parameters; their ids follow each other from PDN_FIRST_PARAMETER on.
+///
+/// @param model  the model; not NULL
+/// @param count  the number; written on success only
+/// @return PDN_OK, PDN_ERR_NULL
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_parameter_count(
+    model: *const pdn_model,
+    count: *mut i32,
+) -> pdn_status {
+    super::model::count(model, count, |model| model.object_count(Kind::Parameter))
+}
+
+/// Value and scale of a parameter.
+///
+/// @param model  the model; not NULL
+/// @param parameter  id of the parameter
+/// @param value  its value; written on success only
+/// @param scale  what counts as 1 in it; may be NULL if it is not wanted; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_parameter(
+    model: *const pdn_model,
+    parameter: i32,
+    value: *mut f64,
+    scale: *mut f64,
+) -> pdn_status {
+    guard(|call| {
+        let model = call.shared(model, "model")?;
+        let found = &model.parameters()[self::parameter(&model, parameter, "parameter")?];
+        let value = call.out(value, "value")?;
+        if let Some(scale) = call.out_optional(scale, "scale")? {
+            scale.set(found.scale);
+        }
+        value.set(found.value);
+        Ok(())
+    })
+}
+
+/// The name of a parameter.
+///
+/// @param model  the model; not NULL
+/// @param parameter  id of the parameter
+/// @param buffer  array of length [capacity] for the name, UTF-8, always ended by NUL; may be NULL
+///     if capacity is 0
+/// @param capacity  size of buffer in bytes
+/// @return length of the name without the NUL, as snprintf does; 0 if the handle or id is not
+///     valid, see ::pdn_last_error
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_parameter_name(
+    model: *const pdn_model,
+    parameter: i32,
+    buffer: *mut c_char,
+    capacity: usize,
+) -> usize {
+    guard_or(0, |call| {
+        let model = call.shared(model, "model")?;
+        let found = &model.parameters()[self::parameter(&model, parameter, "parameter")?];
+        copy_message(&found.name, buffer, capacity);
+        Ok(found.name.len())
+    })
+}
+
+/// The parameter that has a name.
+///
+/// @param model  the model; not NULL
+/// @param name  the name; not NULL
+/// @param parameter  id of the parameter; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (none has this name)
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_find_parameter(
+    model: *const pdn_model,
+    name: *const c_char,
+    parameter: *mut i32,
+) -> pdn_status {
+    guard(|call| {
+        let model = call.shared(model, "model")?;
+        let name = call.text(name, "name")?;
+        let out = call.out(parameter, "parameter")?;
+        let found = model.parameters().iter().position(|it| it.name == name);
+        let found = found.ok_or_else(|| {
+            let message = format!("name: no parameter is called \"{name}\"");
+            Error::new(ErrorKind::NotAvailable, message)
+        })?;
+        out.set(Kind::Parameter.id(found));
         Ok(())
     })
 }

@@ -16,7 +16,7 @@ static int model_changed(void)
     char label[PDN_LABEL_LENGTH + 1];
     return pdn_model_label(in.model, PDN_OBJECT_NODE, NODE(0), label, sizeof label) != 5 ||
            strcmp(label, "crank") != 0 ||
-           pdn_model_label(in.model, PDN_OBJECT_NODE, 1, label, sizeof label) != 0;
+           pdn_model_label(in.model, PDN_OBJECT_NODE, NODE(1), label, sizeof label) != 0;
 }
 
 #include "refusal.h"
@@ -307,6 +307,205 @@ static void structs_are_refused(void)
     CHECK_STATUS(pdn_model_force(in.model, FORCE(0), &force), PDN_ERR_STRUCT_SIZE);
 }
 
+/* A beam with a load of its own factors and one that is given at places, a plate with loads on its
+ * surface and on an edge, and two parameters. */
+static pdn_model *build_loaded(void)
+{
+    const double sizes[6] = {100, 40, 40, 2, 3, 4}, masses[4] = {1.5, 0.01, 0.005, 0.006};
+    const double fractions[3] = {0, 0.5, 1}, factors[3] = {1, -2, 0.5}, up[3] = {0, 0, 2};
+    pdn_section section;
+    pdn_shell_section plate;
+    pdn_surface surface;
+    pdn_signal signal, signals[18];
+    pdn_beam beam;
+    pdn_shell shell;
+    pdn_model *model;
+    int32_t id, i;
+    CHECK_STATUS(pdn_model_new(&model), PDN_OK);
+    PDN_INIT(pdn_section, &section);
+    CHECK_STATUS(pdn_section_set_diagonal(&section, sizes, masses), PDN_OK);
+    CHECK_STATUS(pdn_model_add_straight_beam(model, ORIGIN, FAR_END, ACROSS, &section, 3, 2, &beam),
+                 PDN_OK);
+    PDN_INIT(pdn_signal, &signal);
+    CHECK_STATUS(pdn_signal_set_constant(&signal, 0.5), PDN_OK);
+    CHECK_STATUS(pdn_model_add_distributed_load(model, beam.first_element + 1, 2,
+                                                PDN_FRAME_MATERIAL, PDN_MOMENT_1, &signal,
+                                                fractions, factors, 3, &id),
+                 PDN_OK);
+    CHECK(id == BEAM_LOAD(0));
+    CHECK_STATUS(pdn_model_add_distributed_load(model, beam.first_element, 1, PDN_FRAME_SPACE,
+                                                PDN_FORCE_1, &signal, NULL, NULL, 0, NULL),
+                 PDN_OK);
+    for (i = 0; i < 18; i++)
+        PDN_INIT(pdn_signal, &signals[i]);
+    /* Nothing at the first place. */
+    CHECK_STATUS(pdn_signal_set_constant(&signals[6 + 2], 3), PDN_OK);
+    CHECK_STATUS(pdn_signal_set_constant(&signals[12 + 1], 4), PDN_OK);
+    CHECK_STATUS(pdn_model_add_load_at_places(model, beam.first_element, 3, PDN_FRAME_UNTWISTED, up,
+                                              fractions, signals, 3, &id),
+                 PDN_OK);
+    CHECK(id == BEAM_LOAD(2));
+    PDN_INIT(pdn_surface, &surface);
+    CHECK_STATUS(pdn_surface_set_parallelogram(&surface, AXIS, FAR_END, ACROSS), PDN_OK);
+    PDN_INIT(pdn_shell_section, &plate);
+    CHECK_STATUS(pdn_shell_section_set_isotropic(&plate, 0.1, 1e6, 0.3, 1000, 1, 0.1), PDN_OK);
+    CHECK_STATUS(pdn_model_add_shell(model, &surface, 2, 1, 1, 1, 0, &plate, NULL, &shell), PDN_OK);
+    CHECK_STATUS(pdn_model_add_shell_load(model, shell.first_element, 2, PDN_SHELL_SURFACE,
+                                          PDN_FRAME_MATERIAL, PDN_FORCE_3, &signal, NULL),
+                 PDN_OK);
+    CHECK_STATUS(pdn_model_add_shell_load(model, shell.first_element + 1, 1, PDN_SHELL_EDGE_END_XI,
+                                          PDN_FRAME_SPACE, PDN_FORCE_2, &signal, &id),
+                 PDN_OK);
+    CHECK(id == SHELL_LOAD(1));
+    CHECK_STATUS(pdn_model_add_parameter(model, "pressure", 1.5, 2, &id), PDN_OK);
+    CHECK_STATUS(pdn_model_add_parameter(model,
+                                         "Dr\xc3\xbc"
+                                         "cke",
+                                         -3, 7, &id),
+                 PDN_OK);
+    CHECK_STATUS(pdn_model_set_label(model, PDN_OBJECT_SHELL_LOAD, SHELL_LOAD(1), "pull"), PDN_OK);
+    return model;
+}
+
+static double first_value(int32_t place, int32_t id, int32_t component)
+{
+    const double time = 0.3;
+    double value;
+    CHECK_STATUS(pdn_model_sample_signal(in.model, place, id, component, 2, &time, 1, &value),
+                 PDN_OK);
+    return value;
+}
+
+static void loads_are_those_given(void)
+{
+    const double fractions[3] = {0, 0.5, 1}, factors[3] = {1, -2, 0.5};
+    double axis_2[3], fraction, factor;
+    int32_t count, first, elements, frame, places, i;
+    CHECK_STATUS(pdn_model_beam_load_count(in.model, &count), PDN_OK);
+    CHECK(count == 5);
+    CHECK_STATUS(
+        pdn_model_beam_load(in.model, BEAM_LOAD(0), &first, &elements, &frame, axis_2, &places),
+        PDN_OK);
+    CHECK(first == BEAM_ELEMENT(1) && elements == 2 && frame == PDN_FRAME_MATERIAL && places == 3);
+    CHECK(axis_2[0] == 0 && axis_2[1] == 0 && axis_2[2] == 0);
+    for (i = 0; i < 3; i++) {
+        CHECK_STATUS(pdn_model_beam_load_factor(in.model, BEAM_LOAD(0), i, &fraction, &factor),
+                     PDN_OK);
+        CHECK(fraction == fractions[i] && factor == factors[i]);
+    }
+    CHECK(first_value(PDN_SIGNAL_OF_BEAM_LOAD, BEAM_LOAD(0), PDN_MOMENT_1) == 0.5);
+    CHECK_STATUS(
+        pdn_model_beam_load(in.model, BEAM_LOAD(1), &first, &elements, &frame, NULL, &places),
+        PDN_OK);
+    CHECK(first == BEAM_ELEMENT(0) && elements == 1 && frame == PDN_FRAME_SPACE && places == 0);
+    /* The third place of the last. */
+    CHECK_STATUS(
+        pdn_model_beam_load(in.model, BEAM_LOAD(4), &first, &elements, &frame, axis_2, &places),
+        PDN_OK);
+    CHECK(first == BEAM_ELEMENT(0) && elements == 3 && frame == PDN_FRAME_UNTWISTED);
+    CHECK(axis_2[0] == 0 && axis_2[1] == 0 && axis_2[2] == 2);
+    CHECK(first_value(PDN_SIGNAL_OF_BEAM_LOAD, BEAM_LOAD(3), PDN_FORCE_3) == 3);
+    CHECK(first_value(PDN_SIGNAL_OF_BEAM_LOAD, BEAM_LOAD(4), PDN_FORCE_2) == 4);
+    CHECK_STATUS(pdn_model_beam_load_factor(in.model, BEAM_LOAD(4), places - 1, &fraction, &factor),
+                 PDN_OK);
+    CHECK(fraction == 1 && factor == 1);
+
+    CHECK_STATUS(pdn_model_shell_load_count(in.model, &count), PDN_OK);
+    CHECK(count == 2);
+    CHECK_STATUS(pdn_model_shell_load(in.model, SHELL_LOAD(0), &first, &elements, &places, &frame),
+                 PDN_OK);
+    CHECK(first == SHELL_ELEMENT(0) && elements == 2 && places == PDN_SHELL_SURFACE &&
+          frame == PDN_FRAME_MATERIAL);
+    CHECK_STATUS(pdn_model_shell_load(in.model, SHELL_LOAD(1), &first, &elements, &places, &frame),
+                 PDN_OK);
+    CHECK(first == SHELL_ELEMENT(1) && elements == 1 && places == PDN_SHELL_EDGE_END_XI &&
+          frame == PDN_FRAME_SPACE);
+    CHECK(first_value(PDN_SIGNAL_OF_SHELL_LOAD, SHELL_LOAD(1), PDN_FORCE_2) == 0.5);
+    CHECK_STATUS(pdn_model_find_label(in.model, PDN_OBJECT_SHELL_LOAD, "pull", &first), PDN_OK);
+    CHECK(first == SHELL_LOAD(1));
+}
+
+static void parameters_are_those_given(void)
+{
+    char name[20];
+    double value, scale;
+    int32_t count, id;
+    CHECK_STATUS(pdn_model_parameter_count(in.model, &count), PDN_OK);
+    CHECK(count == 2);
+    CHECK_STATUS(pdn_model_find_parameter(in.model, "pressure", &id), PDN_OK);
+    CHECK(id == PARAMETER(0));
+    CHECK_STATUS(pdn_model_parameter(in.model, PARAMETER(1), &value, &scale), PDN_OK);
+    CHECK(value == -3 && scale == 7);
+    CHECK_STATUS(pdn_model_parameter(in.model, PARAMETER(0), &value, NULL), PDN_OK);
+    CHECK(value == 1.5);
+    CHECK(pdn_model_parameter_name(in.model, PARAMETER(1), name, sizeof name) == 7);
+    CHECK(strcmp(name, "Dr\xc3\xbc"
+                       "cke") == 0);
+    CHECK(pdn_model_parameter_name(in.model, PARAMETER(0), NULL, 0) == 8);
+    CHECK(pdn_model_parameter_name(in.model, NODE(0), name, sizeof name) == 0);
+    CHECK_MESSAGE("parameter: expected a parameter id from 700000000 to 700000001, got 100000000, "
+                  "which is the id of node 0");
+}
+
+static void wrong_calls_of_loads_are_refused(void)
+{
+#define BEAM_LOAD_OF(id, first, elements, frame, places)                                           \
+    pdn_model_beam_load(in.model, id, first, elements, frame, NULL, places)
+    int32_t one, two, three, four;
+    const int32_t none[] = {-1, NO_IDS};
+    REFUSES_EACH(in.id, int32_t, none, BEAM_LOAD_OF(in.id, &out.id, &one, &two, &three), PDN_ERR_ID,
+                 "load: expected a beam load id from 900000000 to 900000004, got ");
+    REFUSED(BEAM_LOAD_OF(BEAM_LOAD(0), NULL, &one, &two, &three), PDN_ERR_NULL, "first_element");
+    REFUSED(BEAM_LOAD_OF(BEAM_LOAD(0), &one, NULL, &two, &three), PDN_ERR_NULL, "elements");
+    REFUSED(BEAM_LOAD_OF(BEAM_LOAD(0), &one, &two, NULL, &three), PDN_ERR_NULL, "frame");
+    REFUSED(BEAM_LOAD_OF(BEAM_LOAD(0), &one, &two, &three, NULL), PDN_ERR_NULL, "places");
+#undef BEAM_LOAD_OF
+#define FACTOR(id, index, fraction, factor)                                                        \
+    pdn_model_beam_load_factor(in.model, id, index, fraction, factor)
+    REFUSES_EACH(in.id, int32_t, none, FACTOR(in.id, 0, &out.number, out.numbers), PDN_ERR_ID,
+                 "load: expected a beam load id");
+    REFUSED(FACTOR(BEAM_LOAD(0), 3, &out.number, out.numbers), PDN_ERR_ID,
+            "index: expected a place of the load from 0 to 2, got 3");
+    REFUSED(FACTOR(BEAM_LOAD(1), 0, &out.number, out.numbers), PDN_ERR_ID, "index: ");
+    REFUSED(FACTOR(BEAM_LOAD(0), 0, NULL, out.numbers), PDN_ERR_NULL, "fraction");
+    REFUSED(FACTOR(BEAM_LOAD(0), 0, &out.number, NULL), PDN_ERR_NULL, "factor");
+#undef FACTOR
+#define SHELL(id, first, elements, place, frame)                                                   \
+    pdn_model_shell_load(in.model, id, first, elements, place, frame)
+    REFUSES_EACH(in.id, int32_t, none, SHELL(in.id, &one, &two, &three, &four), PDN_ERR_ID,
+                 "load: expected a shell load id from 1000000000 to 1000000001, got ");
+    REFUSED(SHELL(SHELL_LOAD(0), NULL, &one, &two, &three), PDN_ERR_NULL, "first_element");
+    REFUSED(SHELL(SHELL_LOAD(0), &one, NULL, &two, &three), PDN_ERR_NULL, "elements");
+    REFUSED(SHELL(SHELL_LOAD(0), &one, &two, NULL, &three), PDN_ERR_NULL, "place");
+    REFUSED(SHELL(SHELL_LOAD(0), &one, &two, &three, NULL), PDN_ERR_NULL, "frame");
+#undef SHELL
+    REFUSES_EACH(in.id, int32_t, none,
+                 pdn_model_parameter(in.model, in.id, &out.number, out.numbers), PDN_ERR_ID,
+                 "parameter: expected a parameter id");
+    REFUSED(pdn_model_parameter(in.model, PARAMETER(0), NULL, NULL), PDN_ERR_NULL, "value");
+    REFUSED(pdn_model_find_parameter(in.model, "drag", &out.id), PDN_ERR_NOT_AVAILABLE,
+            "name: no parameter is called \"drag\"");
+    REFUSED(pdn_model_find_parameter(in.model, NULL, &out.id), PDN_ERR_NULL, "name");
+    REFUSED(pdn_model_find_parameter(in.model, "pressure", NULL), PDN_ERR_NULL, "parameter");
+}
+
+/* The model, and what its file gives back. */
+static void loaded_models_tell_their_loads(void)
+{
+    pdn_model *model = build_loaded();
+    CHECK_STATUS(pdn_model_set_label(model, PDN_OBJECT_NODE, NODE(0), "crank"), PDN_OK);
+    CHECK_STATUS(pdn_model_save(model, "test_contents.pdm"), PDN_OK);
+    in.model = model;
+    loads_are_those_given();
+    parameters_are_those_given();
+    CHECK_STATUS(pdn_model_load("test_contents.pdm", &in.model), PDN_OK);
+    pdn_model_free(model);
+    loads_are_those_given();
+    parameters_are_those_given();
+    wrong_calls_of_loads_are_refused();
+    pdn_model_free(in.model);
+}
+
 int main(void)
 {
     pdn_model *model = build();
@@ -332,6 +531,7 @@ int main(void)
             pdn_model_free(in.model);
     }
     pdn_model_free(model);
+    loaded_models_tell_their_loads();
     printf("%d calls refused\n", refusals);
     return 0;
 }

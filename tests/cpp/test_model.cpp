@@ -218,14 +218,23 @@ static void beams()
     CHECK(curved.add_beam_element({one, other}, thin) == pdn::first_beam_element + 6);
     NEAR(curved.mass().mass, 2 * (pi / 2) * 2 + 2, 1e-4); // the error of the mesh
 
-    curved.add_distributed_load(arc.first_element, arc.elements, pdn::Frame::space,
-                                pdn::Component::force_3, 2.0, {0, 1}, {1, 2});
+    const auto growing =
+        curved.add_distributed_load(arc.first_element, arc.elements, pdn::Frame::space,
+                                    pdn::Component::force_3, 2.0, {0, 1}, {1, 2});
+    CHECK(growing == pdn::first_beam_load);
     curved.add_distributed_load(curve.first_element, 1, pdn::Frame::material,
                                 pdn::Component::moment_1, [](double) { return 0.0; });
-    curved.add_load_at_places(
+    const auto at_start = curved.add_load_at_places(
         curve.first_element, curve.elements, pdn::Frame::untwisted, {0, 1},
         {{0.0, 1.0, [](double) { return 2.0; }, 0.0, 0.0, 0.0}, {0.0, 0.0, 0.0, 0.0, 0.0, 0.0}},
         axis_3);
+    CHECK(at_start == pdn::first_beam_load + 2 && curved.beam_load_count() == 4);
+    const pdn::BeamLoad grown = curved.beam_load(growing);
+    CHECK(grown.first_element == arc.first_element && grown.elements == arc.elements);
+    CHECK(grown.frame == pdn::Frame::space && grown.fractions == std::vector<double>({0, 1}));
+    CHECK(grown.factors == std::vector<double>({1, 2}));
+    CHECK(curved.beam_load(at_start).axis_2 == axis_3);
+    CHECK(curved.sample_signal(pdn::SignalOf::beam_load, at_start, PDN_FORCE_3, 1, {0.3})[0] == 2);
     thin.set_component_damping({1e-4, 1e-4, 1e-4, 2e-4, 2e-4, 2e-4});
     CHECK(thin.damping[21] == 2e-4 * thin.stiffness[21]);
 }
@@ -340,7 +349,10 @@ static void everything()
     CHECK(m.prescribed(pdn::first_prescribed + 1).first == joint(8));
     CHECK(m.inertia_count() == 6 && m.inertia(pdn::first_inertia + 4).first == b);
     CHECK(m.inertia_of(b) == pdn::first_inertia + 1);
-    CHECK(m.load_count() == 0);
+    CHECK(m.load_count() == 0 && m.shell_load_count() == 0);
+    const auto speed = m.add_parameter("speed", 3, 2);
+    CHECK(m.parameter_count() == 1 && m.parameter_name(speed) == "speed");
+    CHECK(m.find_parameter("speed") == speed && m.parameter(speed).first == 3);
     CHECK(m.sample_signal(pdn::SignalOf::gravity, 0, 2, 1, {0, 0.3})[1] == -9.81);
     CHECK(m.force_count() == forces);
     NEAR(m.mass().mass, 7, 1e-15);

@@ -197,8 +197,8 @@ contains
         type(pdn_beam) :: beam, curve
         type(pdn_frame) :: middle, same
         type(pdn_signal) :: load(12)
-        integer :: root, element, first, second, elements, i
-        real(dp) :: position(3, 1), strain(6, 1), force(6, 2), mean(6), none(6, 0)
+        integer :: root, element, first, second, elements, frame, places, id, i
+        real(dp) :: position(3, 1), strain(6, 1), force(6, 2), mean(6), none(6, 0), told(3)
 
         thin = steel()
         thick = steel()
@@ -255,7 +255,15 @@ contains
             load(i) = pdn_constant(real(i, dp))
         end do
         call model%add_load_at_places(curve%first_element, curve%elements, PDN_FRAME_UNTWISTED, &
-            [0.0_dp, 1.0_dp], reshape(load, [6, 2]), axis_3)
+            [0.0_dp, 1.0_dp], reshape(load, [6, 2]), axis_3, id)
+        call check(id == PDN_FIRST_BEAM_LOAD + 2, 'loads at places')
+        call model%beam_load(PDN_FIRST_BEAM_LOAD, element, elements, frame, places)
+        call check(element == curve%first_element .and. frame == PDN_FRAME_SPACE .and. &
+            places == 2, 'beam load')
+        call model%beam_load(id, element, elements, frame, places, told)
+        call check(frame == PDN_FRAME_UNTWISTED .and. all(told == axis_3), 'untwisted')
+        call model%beam_load_factor(PDN_FIRST_BEAM_LOAD, 1, told(1), told(2))
+        call check(all(told(:2) == [1.0_dp, 2.0_dp]), 'factor')
     end subroutine beams
 
     ! All joints and forces can be made, and are counted.
@@ -376,6 +384,14 @@ contains
         call check(id == PDN_FIRST_INERTIA + 1, 'inertia of a node')
         call m%sample_signal(PDN_SIGNAL_OF_GRAVITY, 0, 2, 1.0_dp, [0.0_dp, 0.3_dp], centre(:2))
         call near(centre(2), -9.81_dp, 1e-14_dp, 'signal')
+        call m%add_parameter('speed', 3.0_dp, 2.0_dp, id)
+        call m%parameter_name(id, text)
+        call m%parameter(id, number)
+        call check(text == 'speed' .and. number == 3, 'parameter')
+        call m%find_parameter('speed', nodes)
+        call check(nodes == id, 'name of a parameter')
+        call m%shell_load_count(nodes)
+        call check(nodes == 0, 'shell loads')
         call m%node_count(nodes)
         call check(nodes == 2, 'nodes')
         call m%mass(mass, centre)

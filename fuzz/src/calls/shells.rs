@@ -41,7 +41,7 @@ impl Session<'_, '_> {
             ratio,
             density,
             drilling,
-            0.0,
+            0.1,
         ));
         if self.bytes.rarely(8) {
             let at = self.bytes.below(144);
