@@ -50,7 +50,7 @@ static int build(double tau, mechanism *out)
     TRY(pdn_model_add_viscoelastic(out->model, out->hinge, PDN_ROTATION, spring, 0, &branch, &tau,
                                    1, NULL));
     TRY(pdn_signal_set_harmonics(&turn, 0, OMEGA, NULL, NULL, 0));
-    TRY(pdn_model_prescribe(out->model, drive, PDN_ROTATION, &turn));
+    TRY(pdn_model_prescribe(out->model, drive, PDN_ROTATION, &turn, NULL));
     return 0;
 done:
     return 1;

@@ -98,12 +98,12 @@ static int add_cylinder(engine *e, int i, int32_t node, const double *pin)
     TRY(pdn_signal_set_samples(&gas, 0, force, SAMPLES));
     TRY(set_section(&shank, 2.4e-4, 1.6e-8, 0.6e-8, 0.4e-8));
     TRY(pdn_model_add_straight_beam(e->model, pin, wrist, x, &shank, 2, 2, &rod));
-    TRY(pdn_model_add_mass(e->model, rod.first, 0.3, pin, big_end));
+    TRY(pdn_model_add_mass(e->model, rod.first, 0.3, pin, big_end, NULL));
     TRY(pdn_model_add_rigid_body(e->model, 0.5, wrist, piston, &e->pistons[i]));
     TRY(pdn_model_add_revolute(e->model, node, rod.first, pin, x, &joint));
     TRY(pdn_model_add_spherical(e->model, rod.last, e->pistons[i], wrist, &joint));
     TRY(pdn_model_add_prismatic(e->model, PDN_GROUND, e->pistons[i], wrist, z, &joint));
-    TRY(pdn_model_add_load(e->model, e->pistons[i], PDN_FRAME_SPACE, PDN_FORCE_3, &gas));
+    TRY(pdn_model_add_load(e->model, e->pistons[i], PDN_FRAME_SPACE, PDN_FORCE_3, &gas, NULL));
     return 0;
 done:
     return 1;
@@ -152,7 +152,7 @@ static int build(engine *e, double speed)
                 goto done;
             }
             if (k == 1 || k == 7) { /* counterweight */
-                TRY(pdn_model_add_mass(e->model, beam.first, 0.6, opposite, NULL));
+                TRY(pdn_model_add_mass(e->model, beam.first, 0.6, opposite, NULL, NULL));
             }
             if (k == 4 && add_cylinder(e, i, beam.first, at) != 0) {
                 goto done;
@@ -173,7 +173,7 @@ static int build(engine *e, double speed)
     TRY(pdn_model_add_rigid_body(e->model, 8, behind, wheel, &flywheel));
     TRY(pdn_model_add_rigid_joint(e->model, end, flywheel, at, &joint));
     TRY(pdn_model_add_free_joint(e->model, PDN_GROUND, flywheel, behind, &e->drive));
-    TRY(pdn_model_prescribe(e->model, e->drive, PDN_ROTATION, &turn));
+    TRY(pdn_model_prescribe(e->model, e->drive, PDN_ROTATION, &turn, NULL));
     TRY(pdn_model_add_spring_damper(e->model, e->drive, PDN_DISPLACEMENT, 1e8, 2e4, 0, &thrust));
     TRY(pdn_model_add_free_joint(e->model, flywheel, e->front, origin,
                                  &e->gauge)); /* measures only */

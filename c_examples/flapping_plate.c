@@ -55,7 +55,7 @@ int main(int argc, char **argv)
     pdn_signal swing;
     PDN_INIT(pdn_signal, &swing);
     TRY(pdn_signal_set_harmonics(&swing, 0, 0, &cosine, &sine, 1));
-    TRY(pdn_model_prescribe(model, hinge, PDN_ROTATION, &swing));
+    TRY(pdn_model_prescribe(model, hinge, PDN_ROTATION, &swing, NULL));
 
     pdn_periodic_options options;
     PDN_INIT(pdn_periodic_options, &options);

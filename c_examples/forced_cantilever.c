@@ -48,7 +48,7 @@ int main(int argc, char **argv)
     pdn_signal shake;
     PDN_INIT(pdn_signal, &shake);
     TRY(pdn_signal_set_harmonics(&shake, 0, 0, &cosine, &sine, 1));
-    TRY(pdn_model_add_load(model, rod.last, PDN_FRAME_SPACE, PDN_FORCE_3, &shake));
+    TRY(pdn_model_add_load(model, rod.last, PDN_FRAME_SPACE, PDN_FORCE_3, &shake, NULL));
 
     pdn_periodic_options options;
     PDN_INIT(pdn_periodic_options, &options);

@@ -49,7 +49,7 @@ int main(int argc, char **argv)
     TRY(pdn_model_add_rigid_joint(model, PDN_GROUND, beam.last, right, &clamp));
     TRY(pdn_signal_set_harmonics(&push, 0, 0, &size, none, 1));
     const int32_t middle = (beam.first + beam.last) / 2;
-    TRY(pdn_model_add_load(model, middle, PDN_FRAME_SPACE, PDN_FORCE_2, &push));
+    TRY(pdn_model_add_load(model, middle, PDN_FRAME_SPACE, PDN_FORCE_2, &push, NULL));
 
     pdn_periodic_options periodic;
     pdn_branch_options options;

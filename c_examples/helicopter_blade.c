@@ -138,8 +138,8 @@ static int build(rotor *r, double speed, size_t elements, size_t order)
     PDN_INIT(pdn_signal, &pitch);
     TRY(pdn_signal_set_harmonics(&turn, 0, OMEGA, NULL, NULL, 0));
     TRY(pdn_signal_set_harmonics(&pitch, collective, 0, &cosine, &sine, 1));
-    TRY(pdn_model_prescribe(r->model, shaft, PDN_ROTATION, &turn));
-    TRY(pdn_model_prescribe(r->model, bearing, PDN_ROTATION, &pitch));
+    TRY(pdn_model_prescribe(r->model, shaft, PDN_ROTATION, &turn, NULL));
+    TRY(pdn_model_prescribe(r->model, bearing, PDN_ROTATION, &pitch, NULL));
 
     for (int32_t node = r->blade.first; node <= r->blade.last; ++node) {
         /* half the way to either neighbour */

@@ -72,7 +72,7 @@ int main(int argc, char **argv)
     pdn_signal turn;
     PDN_INIT(pdn_signal, &turn);
     TRY(pdn_signal_set_harmonics(&turn, 0, -omega, NULL, NULL, 0));
-    TRY(pdn_model_prescribe(model, motor_A, PDN_ROTATION, &turn));
+    TRY(pdn_model_prescribe(model, motor_A, PDN_ROTATION, &turn, NULL));
 
     double start = 0; /* of the period that is shown */
     if (marches) {

@@ -80,10 +80,10 @@ int main(int argc, char **argv)
     PDN_INIT(pdn_signal, &turn);
     PDN_INIT(pdn_signal, &lift);
     TRY(pdn_signal_set_harmonics(&turn, 0, omega, NULL, NULL, 0));
-    TRY(pdn_model_prescribe(model, bearing, PDN_ROTATION, &turn));
+    TRY(pdn_model_prescribe(model, bearing, PDN_ROTATION, &turn, NULL));
     const double cosines[2] = {1000, 0}, sines[2] = {0, 200}; /* N */
     TRY(pdn_signal_set_harmonics(&lift, 3000, 0, cosines, sines, 2));
-    TRY(pdn_model_add_load(model, blade.last, PDN_FRAME_SPACE, PDN_FORCE_1, &lift));
+    TRY(pdn_model_add_load(model, blade.last, PDN_FRAME_SPACE, PDN_FORCE_1, &lift, NULL));
 
     pdn_periodic_options options;
     PDN_INIT(pdn_periodic_options, &options);

@@ -56,7 +56,7 @@ int main(int argc, char **argv)
     pdn_section section;
     pdn_signal turn, force;
     pdn_beam blade;
-    int32_t hub, shaft, hinge, spring;
+    int32_t hub, shaft, hinge, spring, load;
     PDN_INIT(pdn_section, &section);
     PDN_INIT(pdn_signal, &turn);
     PDN_INIT(pdn_signal, &force);
@@ -69,10 +69,10 @@ int main(int argc, char **argv)
     TRY(pdn_model_add_straight_beam(model, root, tip, across, &section, elements, 3, &blade));
     TRY(pdn_model_add_revolute(model, PDN_GROUND, hub, origin, up, &shaft));
     TRY(pdn_model_add_revolute(model, hub, blade.first, root, across, &hinge));
-    TRY(pdn_model_prescribe(model, shaft, PDN_ROTATION, &turn));
+    TRY(pdn_model_prescribe(model, shaft, PDN_ROTATION, &turn, NULL));
     TRY(pdn_model_add_spring_damper(model, hinge, PDN_ROTATION, hinge_stiffness, hinge_damping, 0,
                                     &spring));
-    TRY(pdn_model_add_load(model, blade.last, PDN_FRAME_SPACE, PDN_FORCE_3, &force));
+    TRY(pdn_model_add_load(model, blade.last, PDN_FRAME_SPACE, PDN_FORCE_3, &force, &load));
 
     /* Whatever may change is a parameter. Sections are of all elements alike. */
     int32_t p[PARAMETERS] = {0, 0, 0, 0, 0, PDN_FREQUENCY};
@@ -89,7 +89,8 @@ int main(int argc, char **argv)
         TRY(pdn_model_move_number(model, p[2], PDN_NUMBER_BEAM_STIFFNESS, element, 0, 1));
         TRY(pdn_model_move_number(model, p[3], PDN_NUMBER_BEAM_MASS, element, 0, 1));
     }
-    TRY(pdn_model_move_signal(model, p[4], PDN_SIGNAL_OF_LOAD, 0, PDN_FORCE_3, PDN_PART_MEAN, 1));
+    TRY(pdn_model_move_signal(model, p[4], PDN_SIGNAL_OF_LOAD, load, PDN_FORCE_3, PDN_PART_MEAN,
+                              1));
 
     pdn_periodic_options options;
     PDN_INIT(pdn_periodic_options, &options);

@@ -57,7 +57,8 @@ static int build_shell(size_t elements, const pdn_signal *along_span, blade *b)
     const double zero = 0;
     TRY(pdn_signal_set_harmonics(&over_area, along_span->mean / chord, 0, &cosine, &zero, 1));
     TRY(pdn_model_add_shell_load(b->model, shell.first_element, (int32_t)elements,
-                                 PDN_SHELL_SURFACE, PDN_FRAME_MATERIAL, PDN_FORCE_3, &over_area));
+                                 PDN_SHELL_SURFACE, PDN_FRAME_MATERIAL, PDN_FORCE_3, &over_area,
+                                 NULL));
     TRY(pdn_model_shell_patch_node(b->model, &shell, shell.nodes_u - 1, DEGREE / 2, &b->tip));
     built = 1;
 done:
@@ -85,7 +86,8 @@ static int build_beam(size_t elements, const pdn_signal *along_span, blade *b)
                                     &beam));
     TRY(pdn_model_add_rigid_joint(b->model, b->hub, beam.first, start, &weld));
     TRY(pdn_model_add_distributed_load(b->model, beam.first_element, (int32_t)elements,
-                                       PDN_FRAME_MATERIAL, PDN_FORCE_3, along_span, NULL, NULL, 0));
+                                       PDN_FRAME_MATERIAL, PDN_FORCE_3, along_span, NULL, NULL, 0,
+                                       NULL));
     b->tip = beam.last;
     built = 1;
 done:
@@ -123,7 +125,7 @@ static int solve(blade *b, double frequencies[MODES], pdn_solution **solution)
     PDN_INIT(pdn_signal, &turns);
     TRY(pdn_signal_set_harmonics(&turns, 0, speed, NULL, NULL, 0));
     TRY(pdn_model_add_revolute(b->model, PDN_GROUND, b->hub, origin, axis, &joint));
-    TRY(pdn_model_prescribe(b->model, joint, PDN_ROTATION, &turns));
+    TRY(pdn_model_prescribe(b->model, joint, PDN_ROTATION, &turns, NULL));
     TRY(pdn_solve_periodic(b->model, 2 * PI / speed, NULL, solution));
     char report[4096];
     pdn_solution_report(*solution, report, sizeof report);

@@ -67,7 +67,7 @@ static int solve(int flexible, size_t grid, size_t elements, size_t order, const
     pdn_signal turn;
     PDN_INIT(pdn_signal, &turn);
     TRY(pdn_signal_set_harmonics(&turn, 0, 2 * PI / period, NULL, NULL, 0));
-    TRY(pdn_model_prescribe(model, bearing, PDN_ROTATION, &turn));
+    TRY(pdn_model_prescribe(model, bearing, PDN_ROTATION, &turn, NULL));
 
     pdn_periodic_options options;
     PDN_INIT(pdn_periodic_options, &options);

@@ -64,7 +64,7 @@ int main(int argc, char **argv)
     pdn_signal turn;
     PDN_INIT(pdn_signal, &turn);
     TRY(pdn_signal_set_harmonics(&turn, mean, omega, cosines, sines, 3));
-    TRY(pdn_model_prescribe(model, motor_D, PDN_ROTATION, &turn));
+    TRY(pdn_model_prescribe(model, motor_D, PDN_ROTATION, &turn, NULL));
 
     pdn_periodic_options options;
     PDN_INIT(pdn_periodic_options, &options);

@@ -126,7 +126,7 @@ static int add_stationary_load(disc *d)
         pdn_signal past;
         PDN_INIT(pdn_signal, &past);
         TRY(pdn_signal_set_harmonics(&past, whole, 0, cosines, sines, POWER));
-        TRY(pdn_model_add_load(d->model, d->rim[k], PDN_FRAME_SPACE, PDN_FORCE_3, &past));
+        TRY(pdn_model_add_load(d->model, d->rim[k], PDN_FRAME_SPACE, PDN_FORCE_3, &past, NULL));
     }
     added = 1;
 done:
@@ -191,7 +191,7 @@ int main(int argc, char **argv)
         pdn_model *model = spun[s].model;
         TRY(pdn_model_add_revolute(model, PDN_GROUND, spun[s].hub, origin, axis, &hinge));
         TRY(pdn_signal_set_harmonics(&turns, 0, speed, NULL, NULL, 0));
-        TRY(pdn_model_prescribe(model, hinge, PDN_ROTATION, &turns));
+        TRY(pdn_model_prescribe(model, hinge, PDN_ROTATION, &turns, NULL));
         TRY(pdn_solve_periodic(model, 2 * PI / speed, &options, &solutions[s]));
         if (pdn_solution_outcome(solutions[s]) != PDN_CONVERGED) {
             char report[4096];

@@ -42,7 +42,7 @@ static pdn_model *rotor(double speed, double lag_damper, double weight, int32_t 
     TRY(pdn_model_add_spring_damper(model, plane, PDN_DISPLACEMENT_2, 1300, 6, 0, NULL));
     PDN_INIT(pdn_signal, &turn);
     TRY(pdn_signal_set_harmonics(&turn, 0, speed, NULL, NULL, 0));
-    TRY(pdn_model_prescribe(model, plane, PDN_ROTATION, &turn));
+    TRY(pdn_model_prescribe(model, plane, PDN_ROTATION, &turn, NULL));
     for (int k = 0; k < BLADES; ++k) {
         const double azimuth = 2 * PI * k / BLADES;
         const double hinge[3] = {hinge_at * cos(azimuth), hinge_at * sin(azimuth), 0};

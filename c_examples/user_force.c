@@ -102,7 +102,7 @@ static int solve(absorber *law, size_t grid, const double t[TIMES], double perio
     PDN_INIT(pdn_signal, &waves);
     const double cosines[2] = {0.02, 0}, sines[2] = {0, 0.005};
     TRY(pdn_signal_set_harmonics(&waves, 0, 0, cosines, sines, 2));
-    TRY(pdn_model_prescribe(model, track, PDN_DISPLACEMENT, &waves));
+    TRY(pdn_model_prescribe(model, track, PDN_DISPLACEMENT, &waves, NULL));
 
     pdn_periodic_options options;
     PDN_INIT(pdn_periodic_options, &options);

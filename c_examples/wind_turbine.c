@@ -127,7 +127,7 @@ static int add_head(turbine *e, double speed)
     TRY(pdn_model_add_rigid_body(e->model, 57e3, e->centre, hub_inertia, &e->hub));
     TRY(pdn_model_add_rigid_joint(e->model, e->tower_top, nacelle, top, &yaw));
     TRY(pdn_model_add_revolute(e->model, nacelle, e->hub, e->centre, e->axis, &e->bearing));
-    TRY(pdn_model_prescribe(e->model, e->bearing, PDN_ROTATION, &turn));
+    TRY(pdn_model_prescribe(e->model, e->bearing, PDN_ROTATION, &turn, NULL));
     return 0;
 done:
     return 1;
@@ -163,7 +163,7 @@ static int add_airloads(turbine *e, int i, double speed)
         TRY(pdn_signal_set_samples(&signal, 0, samples, SAMPLES));
         TRY(pdn_model_add_distributed_load(e->model, blade->first_element, blade->elements,
                                            PDN_FRAME_MATERIAL, PDN_FORCE_2 + k, &signal, fractions,
-                                           shares, STATIONS));
+                                           shares, STATIONS, NULL));
     }
     for (int32_t node = blade->first; node <= blade->last; ++node) {
         pdn_frame frames[3]; /* of the node before, this one, and the next */

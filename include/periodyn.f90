@@ -46,6 +46,11 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_FIRST_FORCE = 500000000
     integer(c_int32_t), parameter :: PDN_FIRST_RELATION = 600000000
     integer(c_int32_t), parameter :: PDN_FIRST_PARAMETER = 700000000
+    integer(c_int32_t), parameter :: PDN_FIRST_LOAD = 800000000
+    integer(c_int32_t), parameter :: PDN_FIRST_BEAM_LOAD = 900000000
+    integer(c_int32_t), parameter :: PDN_FIRST_SHELL_LOAD = 1000000000
+    integer(c_int32_t), parameter :: PDN_FIRST_INERTIA = 1100000000
+    integer(c_int32_t), parameter :: PDN_FIRST_PRESCRIBED = 1200000000
     integer(c_int32_t), parameter :: PDN_GROUND = -1
     integer(c_int32_t), parameter :: PDN_JOINT_RIGID = 1300
     integer(c_int32_t), parameter :: PDN_JOINT_REVOLUTE = 1301
@@ -99,6 +104,11 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_OBJECT_SHELL_ELEMENT = 1003
     integer(c_int32_t), parameter :: PDN_OBJECT_FORCE = 1004
     integer(c_int32_t), parameter :: PDN_OBJECT_RELATION = 1005
+    integer(c_int32_t), parameter :: PDN_OBJECT_LOAD = 1006
+    integer(c_int32_t), parameter :: PDN_OBJECT_BEAM_LOAD = 1007
+    integer(c_int32_t), parameter :: PDN_OBJECT_SHELL_LOAD = 1008
+    integer(c_int32_t), parameter :: PDN_OBJECT_INERTIA = 1009
+    integer(c_int32_t), parameter :: PDN_OBJECT_PRESCRIBED = 1010
     integer(c_int32_t), parameter :: PDN_LABEL_LENGTH = 200
     integer(c_int32_t), parameter :: PDN_CONVERGED = 2400
     integer(c_int32_t), parameter :: PDN_ITERATION_LIMIT = 2401
@@ -1084,33 +1094,37 @@ module periodyn_c
         end function pdn_model_add_rigid_body
 
         ! Fixes a mass to a node, in addition to what the node has
-        function pdn_model_add_mass(model, node, mass, centre, inertia) bind(C, name="pdn_model_add_mass")
+        function pdn_model_add_mass(model, node, mass, centre, inertia, id) bind(C, name="pdn_model_add_mass")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), value :: node
             real(c_double), value :: mass
             real(c_double), intent(in) :: centre(*)
             real(c_double), intent(in), optional :: inertia(*)
+            integer(c_int32_t), intent(inout), optional :: id
             integer(c_int32_t) :: pdn_model_add_mass
         end function pdn_model_add_mass
 
         ! Fixes an inertia of any kind to a node, in addition to what the node has
-        function pdn_model_add_inertia(model, node, frame, matrix) bind(C, name="pdn_model_add_inertia")
+        function pdn_model_add_inertia(model, node, frame, matrix, id) bind(C, name="pdn_model_add_inertia")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), value :: node
             type(pdn_frame), intent(in), optional :: frame
             real(c_double), intent(in) :: matrix(*)
+            integer(c_int32_t), intent(inout), optional :: id
             integer(c_int32_t) :: pdn_model_add_inertia
         end function pdn_model_add_inertia
 
         ! Makes a joint coordinate follow a signal
-        function pdn_model_prescribe(model, joint, coordinate, signal) bind(C, name="pdn_model_prescribe")
+        function pdn_model_prescribe(model, joint, coordinate, signal, &
+            prescribed) bind(C, name="pdn_model_prescribe")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), value :: joint
             integer(c_int32_t), value :: coordinate
             type(pdn_signal), intent(in) :: signal
+            integer(c_int32_t), intent(inout), optional :: prescribed
             integer(c_int32_t) :: pdn_model_prescribe
         end function pdn_model_prescribe
 
@@ -1392,13 +1406,15 @@ module periodyn_c
         end function pdn_model_add_beam_between
 
         ! Adds one component of a force or moment on a node, in addition to those that are there
-        function pdn_model_add_load(model, node, frame, component, signal) bind(C, name="pdn_model_add_load")
+        function pdn_model_add_load(model, node, frame, component, signal, &
+            load) bind(C, name="pdn_model_add_load")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), value :: node
             integer(c_int32_t), value :: frame
             integer(c_int32_t), value :: component
             type(pdn_signal), intent(in) :: signal
+            integer(c_int32_t), intent(inout), optional :: load
             integer(c_int32_t) :: pdn_model_add_load
         end function pdn_model_add_load
 
@@ -1423,7 +1439,7 @@ module periodyn_c
 
         ! Adds one component of a force or moment distributed along beam elements, in addition to those that are there
         function pdn_model_add_distributed_load(model, first_element, elements, frame, component, signal, &
-            fractions, factors, count) bind(C, name="pdn_model_add_distributed_load")
+            fractions, factors, count, load) bind(C, name="pdn_model_add_distributed_load")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), value :: first_element
@@ -1434,12 +1450,13 @@ module periodyn_c
             real(c_double), intent(in), optional :: fractions(*)
             real(c_double), intent(in), optional :: factors(*)
             integer(c_size_t), value :: count
+            integer(c_int32_t), intent(inout), optional :: load
             integer(c_int32_t) :: pdn_model_add_distributed_load
         end function pdn_model_add_distributed_load
 
         ! Adds a force and moment distributed along beam elements, all components at all places at once, in addition ...
         function pdn_model_add_load_at_places(model, first_element, elements, frame, axis_2, fractions, &
-            signals, count) bind(C, name="pdn_model_add_load_at_places")
+            signals, count, first_load) bind(C, name="pdn_model_add_load_at_places")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), value :: first_element
@@ -1449,6 +1466,7 @@ module periodyn_c
             real(c_double), intent(in) :: fractions(*)
             type(pdn_signal), intent(in) :: signals(*)
             integer(c_size_t), value :: count
+            integer(c_int32_t), intent(inout), optional :: first_load
             integer(c_int32_t) :: pdn_model_add_load_at_places
         end function pdn_model_add_load_at_places
 
@@ -1702,8 +1720,8 @@ module periodyn_c
         end function pdn_model_shell_node
 
         ! Adds one component of a force or moment on shell elements, in addition to those that are there: for each ...
-        function pdn_model_add_shell_load(model, first_element, elements, place, frame, component, &
-            signal) bind(C, name="pdn_model_add_shell_load")
+        function pdn_model_add_shell_load(model, first_element, elements, place, frame, component, signal, &
+            load) bind(C, name="pdn_model_add_shell_load")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), value :: first_element
@@ -1712,6 +1730,7 @@ module periodyn_c
             integer(c_int32_t), value :: frame
             integer(c_int32_t), value :: component
             type(pdn_signal), intent(in) :: signal
+            integer(c_int32_t), intent(inout), optional :: load
             integer(c_int32_t) :: pdn_model_add_shell_load
         end function pdn_model_add_shell_load
 
@@ -1985,7 +2004,7 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_add_surface_force
         end function pdn_model_add_surface_force
 
-        ! Gives a node, joint, element, force or relation a label, in place of the one that it has
+        ! Gives a node, joint, element, force, load or the like a label, in place of the one that it has
         function pdn_model_set_label(model, kind, id, label) bind(C, name="pdn_model_set_label")
             import
             type(c_ptr), value :: model
@@ -1995,7 +2014,7 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_set_label
         end function pdn_model_set_label
 
-        ! The label of a node, joint, element, force or relation
+        ! The label of a node, joint, element, force, load or the like
         function pdn_model_label(model, kind, id, buffer, capacity) bind(C, name="pdn_model_label")
             import
             type(c_ptr), value :: model
@@ -2006,7 +2025,7 @@ module periodyn_c
             integer(c_size_t) :: pdn_model_label
         end function pdn_model_label
 
-        ! The node, joint, element, force or relation that has a label
+        ! The node, joint, element, force, load or the like that has a label
         function pdn_model_find_label(model, kind, label, id) bind(C, name="pdn_model_find_label")
             import
             type(c_ptr), value :: model
@@ -2681,27 +2700,65 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_add_parameter
         end function pdn_model_add_parameter
 
+        ! Number of parameters; their ids follow each other from PDN_FIRST_PARAMETER on
+        function pdn_model_parameter_count(model, count) bind(C, name="pdn_model_parameter_count")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), intent(inout) :: count
+            integer(c_int32_t) :: pdn_model_parameter_count
+        end function pdn_model_parameter_count
+
+        ! Value and scale of a parameter
+        function pdn_model_parameter(model, parameter, value, scale) bind(C, name="pdn_model_parameter")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: parameter
+            real(c_double), intent(inout) :: value
+            real(c_double), intent(inout), optional :: scale
+            integer(c_int32_t) :: pdn_model_parameter
+        end function pdn_model_parameter
+
+        ! The name of a parameter
+        function pdn_model_parameter_name(model, parameter, buffer, &
+            capacity) bind(C, name="pdn_model_parameter_name")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: parameter
+            character(kind=c_char), intent(inout), optional :: buffer(*)
+            integer(c_size_t), value :: capacity
+            integer(c_size_t) :: pdn_model_parameter_name
+        end function pdn_model_parameter_name
+
+        ! The parameter that has a name
+        function pdn_model_find_parameter(model, name, parameter) bind(C, name="pdn_model_find_parameter")
+            import
+            type(c_ptr), value :: model
+            character(kind=c_char), intent(in) :: name(*)
+            integer(c_int32_t), intent(inout) :: parameter
+            integer(c_int32_t) :: pdn_model_find_parameter
+        end function pdn_model_find_parameter
+
         ! Lets a parameter move a number of the model: it becomes `factor` times the parameter's value, now and ...
-        function pdn_model_move_number(model, parameter, number, index, power, &
+        function pdn_model_move_number(model, parameter, number, id, power, &
             factor) bind(C, name="pdn_model_move_number")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), value :: parameter
             integer(c_int32_t), value :: number
-            integer(c_int32_t), value :: index
+            integer(c_int32_t), value :: id
             integer(c_int32_t), value :: power
             real(c_double), value :: factor
             integer(c_int32_t) :: pdn_model_move_number
         end function pdn_model_move_number
 
         ! Lets a parameter move a part of a signal: it becomes `factor` times the parameter's value, now and ...
-        function pdn_model_move_signal(model, parameter, place, index, component, part, &
+        function pdn_model_move_signal(model, parameter, place, id, component, part, &
             factor) bind(C, name="pdn_model_move_signal")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), value :: parameter
             integer(c_int32_t), value :: place
-            integer(c_int32_t), value :: index
+            integer(c_int32_t), value :: id
             integer(c_int32_t), value :: component
             integer(c_int32_t), value :: part
             real(c_double), value :: factor
@@ -2829,7 +2886,7 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_beam_section
         end function pdn_model_beam_section
 
-        ! Number of bodies, masses and inertias on nodes
+        ! Number of inertias: bodies, masses and inertias on nodes; their ids follow each other from ...
         function pdn_model_inertia_count(model, count) bind(C, name="pdn_model_inertia_count")
             import
             type(c_ptr), value :: model
@@ -2837,43 +2894,35 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_inertia_count
         end function pdn_model_inertia_count
 
-        ! A body, mass or inertia on a node, in the order in which they were added, with the factors of parameters
-        function pdn_model_inertia(model, index, node, matrix) bind(C, name="pdn_model_inertia")
+        ! The inertia of a body, or a mass or inertia on a node, with the factors of parameters
+        function pdn_model_inertia(model, inertia, node, matrix) bind(C, name="pdn_model_inertia")
             import
             type(c_ptr), value :: model
-            integer(c_int32_t), value :: index
+            integer(c_int32_t), value :: inertia
             integer(c_int32_t), intent(inout) :: node
             real(c_double), intent(inout) :: matrix(*)
             integer(c_int32_t) :: pdn_model_inertia
         end function pdn_model_inertia
 
-        ! A prescribed coordinate, in the order in which they were prescribed; ::pdn_model_summary tells how many ...
-        function pdn_model_prescribed(model, index, joint, coordinate) bind(C, name="pdn_model_prescribed")
+        ! The inertia of a node: of a rigid body its own, of others the one that was added first
+        function pdn_model_inertia_of(model, node, inertia) bind(C, name="pdn_model_inertia_of")
             import
             type(c_ptr), value :: model
-            integer(c_int32_t), value :: index
+            integer(c_int32_t), value :: node
+            integer(c_int32_t), intent(inout) :: inertia
+            integer(c_int32_t) :: pdn_model_inertia_of
+        end function pdn_model_inertia_of
+
+        ! A prescribed coordinate; ::pdn_model_summary tells how many there are, whose ids follow each other from ...
+        function pdn_model_prescribed(model, prescribed, joint, &
+            coordinate) bind(C, name="pdn_model_prescribed")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: prescribed
             integer(c_int32_t), intent(inout) :: joint
             integer(c_int32_t), intent(inout) :: coordinate
             integer(c_int32_t) :: pdn_model_prescribed
         end function pdn_model_prescribed
-
-        ! Number of loads on nodes
-        function pdn_model_load_count(model, count) bind(C, name="pdn_model_load_count")
-            import
-            type(c_ptr), value :: model
-            integer(c_int32_t), intent(inout) :: count
-            integer(c_int32_t) :: pdn_model_load_count
-        end function pdn_model_load_count
-
-        ! A load on a node, in the order in which they were added; its components are signals, ::pdn_model_sample_signal
-        function pdn_model_load_at(model, index, node, frame) bind(C, name="pdn_model_load_at")
-            import
-            type(c_ptr), value :: model
-            integer(c_int32_t), value :: index
-            integer(c_int32_t), intent(inout) :: node
-            integer(c_int32_t), intent(inout) :: frame
-            integer(c_int32_t) :: pdn_model_load_at
-        end function pdn_model_load_at
 
         ! Number of coordinates of a linear relation
         function pdn_model_relation_term_count(model, relation, &
@@ -2899,12 +2948,12 @@ module periodyn_c
         end function pdn_model_relation_term
 
         ! Values of a signal of the model in time
-        function pdn_model_sample_signal(model, place, index, component, period, times, count, &
+        function pdn_model_sample_signal(model, place, id, component, period, times, count, &
             values) bind(C, name="pdn_model_sample_signal")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), value :: place
-            integer(c_int32_t), value :: index
+            integer(c_int32_t), value :: id
             integer(c_int32_t), value :: component
             real(c_double), value :: period
             real(c_double), intent(in) :: times(*)
@@ -2912,6 +2961,79 @@ module periodyn_c
             real(c_double), intent(inout) :: values(*)
             integer(c_int32_t) :: pdn_model_sample_signal
         end function pdn_model_sample_signal
+
+        ! Number of loads on nodes; their ids follow each other from PDN_FIRST_LOAD on
+        function pdn_model_load_count(model, count) bind(C, name="pdn_model_load_count")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), intent(inout) :: count
+            integer(c_int32_t) :: pdn_model_load_count
+        end function pdn_model_load_count
+
+        ! A load on a node; its components are signals, ::pdn_model_sample_signal
+        function pdn_model_load_at(model, load, node, frame) bind(C, name="pdn_model_load_at")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: load
+            integer(c_int32_t), intent(inout) :: node
+            integer(c_int32_t), intent(inout) :: frame
+            integer(c_int32_t) :: pdn_model_load_at
+        end function pdn_model_load_at
+
+        ! Number of loads along beam elements; their ids follow each other from PDN_FIRST_BEAM_LOAD on
+        function pdn_model_beam_load_count(model, count) bind(C, name="pdn_model_beam_load_count")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), intent(inout) :: count
+            integer(c_int32_t) :: pdn_model_beam_load_count
+        end function pdn_model_beam_load_count
+
+        ! A load along beam elements; its components are signals, ::pdn_model_sample_signal, times the factors of ...
+        function pdn_model_beam_load(model, load, first_element, elements, frame, axis_2, &
+            places) bind(C, name="pdn_model_beam_load")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: load
+            integer(c_int32_t), intent(inout) :: first_element
+            integer(c_int32_t), intent(inout) :: elements
+            integer(c_int32_t), intent(inout) :: frame
+            real(c_double), intent(inout), optional :: axis_2(*)
+            integer(c_int32_t), intent(inout) :: places
+            integer(c_int32_t) :: pdn_model_beam_load
+        end function pdn_model_beam_load
+
+        ! Factor of a load along beam elements at a place; it is linear in between
+        function pdn_model_beam_load_factor(model, load, index, fraction, &
+            factor) bind(C, name="pdn_model_beam_load_factor")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: load
+            integer(c_int32_t), value :: index
+            real(c_double), intent(inout) :: fraction
+            real(c_double), intent(inout) :: factor
+            integer(c_int32_t) :: pdn_model_beam_load_factor
+        end function pdn_model_beam_load_factor
+
+        ! Number of loads on shell elements; their ids follow each other from PDN_FIRST_SHELL_LOAD on
+        function pdn_model_shell_load_count(model, count) bind(C, name="pdn_model_shell_load_count")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), intent(inout) :: count
+            integer(c_int32_t) :: pdn_model_shell_load_count
+        end function pdn_model_shell_load_count
+
+        ! A load on shell elements; its components are signals, ::pdn_model_sample_signal
+        function pdn_model_shell_load(model, load, first_element, elements, place, &
+            frame) bind(C, name="pdn_model_shell_load")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: load
+            integer(c_int32_t), intent(inout) :: first_element
+            integer(c_int32_t), intent(inout) :: elements
+            integer(c_int32_t), intent(inout) :: place
+            integer(c_int32_t), intent(inout) :: frame
+            integer(c_int32_t) :: pdn_model_shell_load
+        end function pdn_model_shell_load
 
         ! Makes an empty list: no parameter is free
         function pdn_conditions_new(out) bind(C, name="pdn_conditions_new")
@@ -3864,9 +3986,19 @@ module periodyn
         procedure, public :: beam_section => model_beam_section
         procedure, public :: inertia_count => model_inertia_count
         procedure, public :: inertia => model_inertia
+        procedure, public :: inertia_of => model_inertia_of
         procedure, public :: prescribed => model_prescribed
         procedure, public :: load_count => model_load_count
         procedure, public :: load_at => model_load_at
+        procedure, public :: beam_load_count => model_beam_load_count
+        procedure, public :: beam_load => model_beam_load
+        procedure, public :: beam_load_factor => model_beam_load_factor
+        procedure, public :: shell_load_count => model_shell_load_count
+        procedure, public :: shell_load => model_shell_load
+        procedure, public :: parameter_count => model_parameter_count
+        procedure, public :: parameter => model_parameter
+        procedure, public :: parameter_name => model_parameter_name
+        procedure, public :: find_parameter => model_find_parameter
         procedure, public :: relation_term_count => model_relation_term_count
         procedure, public :: relation_term => model_relation_term
         procedure, public :: sample_signal => model_sample_signal
@@ -4793,27 +4925,38 @@ contains
         call report(pdn_model_inertia_count(self%c, count), stat, errmsg)
     end subroutine model_inertia_count
 
-    ! Node and matrix of a body, mass or inertia; index is from 0.
-    subroutine model_inertia(self, index, node, matrix, stat, errmsg)
+    ! Node and matrix of a body, mass or inertia.
+    subroutine model_inertia(self, inertia, node, matrix, stat, errmsg)
         class(pdn_model), intent(in) :: self
-        integer(c_int32_t), intent(in) :: index
+        integer(c_int32_t), intent(in) :: inertia
         integer(c_int32_t), intent(inout) :: node
         real(c_double), intent(inout) :: matrix(6, 6)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
 
-        call report(pdn_model_inertia(self%c, index, node, matrix), stat, errmsg)
+        call report(pdn_model_inertia(self%c, inertia, node, matrix), stat, errmsg)
     end subroutine model_inertia
 
-    ! A prescribed coordinate; index is from 0.
-    subroutine model_prescribed(self, index, joint, coordinate, stat, errmsg)
+    ! The inertia of a node: of a rigid body its own.
+    subroutine model_inertia_of(self, node, inertia, stat, errmsg)
         class(pdn_model), intent(in) :: self
-        integer(c_int32_t), intent(in) :: index
+        integer(c_int32_t), intent(in) :: node
+        integer(c_int32_t), intent(inout) :: inertia
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_inertia_of(self%c, node, inertia), stat, errmsg)
+    end subroutine model_inertia_of
+
+    ! A prescribed coordinate.
+    subroutine model_prescribed(self, prescribed, joint, coordinate, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: prescribed
         integer(c_int32_t), intent(inout) :: joint, coordinate
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
 
-        call report(pdn_model_prescribed(self%c, index, joint, coordinate), stat, errmsg)
+        call report(pdn_model_prescribed(self%c, prescribed, joint, coordinate), stat, errmsg)
     end subroutine model_prescribed
 
     ! Number of loads on nodes.
@@ -4826,16 +4969,117 @@ contains
         call report(pdn_model_load_count(self%c, count), stat, errmsg)
     end subroutine model_load_count
 
-    ! A load on a node; index is from 0.
-    subroutine model_load_at(self, index, node, frame, stat, errmsg)
+    ! A load on a node.
+    subroutine model_load_at(self, load, node, frame, stat, errmsg)
         class(pdn_model), intent(in) :: self
-        integer(c_int32_t), intent(in) :: index
+        integer(c_int32_t), intent(in) :: load
         integer(c_int32_t), intent(inout) :: node, frame
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
 
-        call report(pdn_model_load_at(self%c, index, node, frame), stat, errmsg)
+        call report(pdn_model_load_at(self%c, load, node, frame), stat, errmsg)
     end subroutine model_load_at
+
+    ! Number of loads along beam elements.
+    subroutine model_beam_load_count(self, count, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: count
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_beam_load_count(self%c, count), stat, errmsg)
+    end subroutine model_beam_load_count
+
+    ! A load along beam elements, and its number of places.
+    subroutine model_beam_load(self, load, first_element, elements, frame, places, axis_2, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: load
+        integer(c_int32_t), intent(inout) :: first_element, elements, frame, places
+        real(c_double), intent(inout), optional :: axis_2(3)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_beam_load(self%c, load, first_element, elements, frame, axis_2, places), stat, errmsg)
+    end subroutine model_beam_load
+
+    ! Factor of a load along beam elements at a place; index is from 0.
+    subroutine model_beam_load_factor(self, load, index, fraction, factor, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: load, index
+        real(c_double), intent(inout) :: fraction, factor
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_beam_load_factor(self%c, load, index, fraction, factor), stat, errmsg)
+    end subroutine model_beam_load_factor
+
+    ! Number of loads on shell elements.
+    subroutine model_shell_load_count(self, count, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: count
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_shell_load_count(self%c, count), stat, errmsg)
+    end subroutine model_shell_load_count
+
+    ! A load on shell elements.
+    subroutine model_shell_load(self, load, first_element, elements, place, frame, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: load
+        integer(c_int32_t), intent(inout) :: first_element, elements, place, frame
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_shell_load(self%c, load, first_element, elements, place, frame), stat, errmsg)
+    end subroutine model_shell_load
+
+    ! Number of parameters.
+    subroutine model_parameter_count(self, count, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: count
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_parameter_count(self%c, count), stat, errmsg)
+    end subroutine model_parameter_count
+
+    ! Value and scale of a parameter.
+    subroutine model_parameter(self, parameter, value, scale, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: parameter
+        real(c_double), intent(inout) :: value
+        real(c_double), intent(inout), optional :: scale
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_parameter(self%c, parameter, value, scale), stat, errmsg)
+    end subroutine model_parameter
+
+    ! The name of a parameter, empty if there is no such parameter.
+    subroutine model_parameter_name(self, parameter, name)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: parameter
+        character(:), allocatable, intent(inout) :: name
+        character(kind=c_char), allocatable :: buffer(:)
+        integer(c_size_t) :: length
+
+        length = pdn_model_parameter_name(self%c, parameter, capacity=0_c_size_t)
+        allocate (buffer(length + 1))
+        length = pdn_model_parameter_name(self%c, parameter, buffer, length + 1)
+        name = joined(buffer(:length))
+    end subroutine model_parameter_name
+
+    ! The parameter that has a name.
+    subroutine model_find_parameter(self, name, parameter, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        character(*), intent(in) :: name
+        integer(c_int32_t), intent(inout) :: parameter
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_find_parameter(self%c, name//c_null_char, parameter), stat, errmsg)
+    end subroutine model_find_parameter
 
     ! Number of coordinates of a linear relation.
     subroutine model_relation_term_count(self, relation, count, stat, errmsg)
@@ -4861,16 +5105,16 @@ contains
     end subroutine model_relation_term
 
     ! Values of a signal of the model at times.
-    subroutine model_sample_signal(self, place, index, component, period, times, values, stat, errmsg)
+    subroutine model_sample_signal(self, place, id, component, period, times, values, stat, errmsg)
         class(pdn_model), intent(in) :: self
-        integer(c_int32_t), intent(in) :: place, index, component
+        integer(c_int32_t), intent(in) :: place, id, component
         real(c_double), intent(in) :: period, times(:)
         real(c_double), intent(inout) :: values(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
 
         if (.not. fits('values', shape(values), shape(times), stat, errmsg)) return
-        call report(pdn_model_sample_signal(self%c, place, index, component, period, times, &
+        call report(pdn_model_sample_signal(self%c, place, id, component, period, times, &
             size(times, kind=c_size_t), values), stat, errmsg)
     end subroutine model_sample_signal
 
@@ -5022,29 +5266,31 @@ contains
         call report(status, stat, errmsg)
     end subroutine model_add_rigid_body
 
-    ! A mass fixed to a node: a point mass unless moments of inertia are given.
-    subroutine model_add_mass(self, node, mass, centre, inertia, stat, errmsg)
+    ! A mass fixed to a node: a point mass unless moments of inertia are given. id is that of its inertia.
+    subroutine model_add_mass(self, node, mass, centre, inertia, id, stat, errmsg)
         class(pdn_model), intent(inout) :: self
         integer(c_int32_t), intent(in) :: node
         real(c_double), intent(in) :: mass
         real(c_double), intent(in) :: centre(3)
         real(c_double), intent(in), optional :: inertia(3, 3)
+        integer(c_int32_t), intent(inout), optional :: id
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
 
-        call report(pdn_model_add_mass(self%c, node, mass, centre, inertia), stat, errmsg)
+        call report(pdn_model_add_mass(self%c, node, mass, centre, inertia, id), stat, errmsg)
     end subroutine model_add_mass
 
     ! A 6 x 6 inertia fixed to a node, in the node's own frame unless another is given.
-    subroutine model_add_inertia(self, node, matrix, frame, stat, errmsg)
+    subroutine model_add_inertia(self, node, matrix, frame, id, stat, errmsg)
         class(pdn_model), intent(inout) :: self
         integer(c_int32_t), intent(in) :: node
         real(c_double), intent(in) :: matrix(6, 6)
         type(pdn_frame), intent(in), optional :: frame
+        integer(c_int32_t), intent(inout), optional :: id
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
 
-        call report(pdn_model_add_inertia(self%c, node, frame, matrix), stat, errmsg)
+        call report(pdn_model_add_inertia(self%c, node, frame, matrix, id), stat, errmsg)
     end subroutine model_add_inertia
 
     ! Fixes two bodies to each other.
@@ -5220,16 +5466,17 @@ contains
     end subroutine model_add_screw_between
 
     ! Makes a joint coordinate follow a signal.
-    subroutine model_prescribe(self, joint, coordinate, signal, stat, errmsg)
+    subroutine model_prescribe(self, joint, coordinate, signal, prescribed, stat, errmsg)
         class(pdn_model), intent(inout) :: self
         integer(c_int32_t), intent(in) :: joint, coordinate
         type(pdn_signal), intent(in), target :: signal
+        integer(c_int32_t), intent(inout), optional :: prescribed
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         type(c_signal) :: raw
 
         call signal%pass(raw)
-        call report(pdn_model_prescribe(self%c, joint, coordinate, raw), stat, errmsg)
+        call report(pdn_model_prescribe(self%c, joint, coordinate, raw, prescribed), stat, errmsg)
     end subroutine model_prescribe
 
     ! A beam element over nodes that are there.
@@ -5471,39 +5718,43 @@ contains
     end subroutine model_add_rigid_edge
 
     ! A component for each unit of area of shell elements, or of length of their edges.
-    subroutine model_add_shell_load(self, first_element, elements, place, frame, component, signal, stat, errmsg)
+    subroutine model_add_shell_load(self, first_element, elements, place, frame, component, signal, load, stat, &
+        errmsg)
         class(pdn_model), intent(inout) :: self
         integer(c_int32_t), intent(in) :: first_element, elements, place, frame, component
         type(pdn_signal), intent(in), target :: signal
+        integer(c_int32_t), intent(inout), optional :: load
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         type(c_signal) :: raw
 
         call signal%pass(raw)
-        call report(pdn_model_add_shell_load(self%c, first_element, elements, place, frame, component, raw), stat, &
-            errmsg)
+        call report(pdn_model_add_shell_load(self%c, first_element, elements, place, frame, component, raw, load), &
+            stat, errmsg)
     end subroutine model_add_shell_load
 
     ! A component of a force or moment on a node.
-    subroutine model_add_load(self, node, frame, component, signal, stat, errmsg)
+    subroutine model_add_load(self, node, frame, component, signal, load, stat, errmsg)
         class(pdn_model), intent(inout) :: self
         integer(c_int32_t), intent(in) :: node, frame, component
         type(pdn_signal), intent(in), target :: signal
+        integer(c_int32_t), intent(inout), optional :: load
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         type(c_signal) :: raw
 
         call signal%pass(raw)
-        call report(pdn_model_add_load(self%c, node, frame, component, raw), stat, errmsg)
+        call report(pdn_model_add_load(self%c, node, frame, component, raw, load), stat, errmsg)
     end subroutine model_add_load
 
     ! A component distributed along beam elements; factors of the signal are linear between fractions.
     subroutine model_add_distributed_load(self, first_element, elements, frame, component, signal, fractions, &
-        factors, stat, errmsg)
+        factors, load, stat, errmsg)
         class(pdn_model), intent(inout) :: self
         integer(c_int32_t), intent(in) :: first_element, elements, frame, component
         type(pdn_signal), intent(in), target :: signal
         real(c_double), intent(in), optional :: fractions(:), factors(:)
+        integer(c_int32_t), intent(inout), optional :: load
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         type(c_signal) :: raw
@@ -5516,18 +5767,19 @@ contains
         end if
         call signal%pass(raw)
         call report(pdn_model_add_distributed_load(self%c, first_element, elements, frame, component, raw, fractions, &
-            factors, count), stat, errmsg)
+            factors, count, load), stat, errmsg)
     end subroutine model_add_distributed_load
 
     ! All components of a load along beam elements at all places at once: signals has a column of six for each of the
-    ! fractions. axis_2 is needed for PDN_FRAME_UNTWISTED only.
-    subroutine model_add_load_at_places(self, first_element, elements, frame, fractions, signals, axis_2, stat, &
-        errmsg)
+    ! fractions. axis_2 is needed for PDN_FRAME_UNTWISTED only. The ids of the loads at the places follow first_load.
+    subroutine model_add_load_at_places(self, first_element, elements, frame, fractions, signals, axis_2, first_load, &
+        stat, errmsg)
         class(pdn_model), intent(inout) :: self
         integer(c_int32_t), intent(in) :: first_element, elements, frame
         real(c_double), intent(in) :: fractions(:)
         type(pdn_signal), intent(in), target :: signals(:, :)
         real(c_double), intent(in), optional :: axis_2(3)
+        integer(c_int32_t), intent(inout), optional :: first_load
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         type(c_signal), allocatable :: raw(:, :)
@@ -5541,7 +5793,7 @@ contains
             end do
         end do
         call report(pdn_model_add_load_at_places(self%c, first_element, elements, frame, axis_2, fractions, raw, &
-            size(fractions, kind=c_size_t)), stat, errmsg)
+            size(fractions, kind=c_size_t), first_load), stat, errmsg)
     end subroutine model_add_load_at_places
 
     ! Describes everything in a frame that turns steadily about an axis through a point, or the
@@ -6921,26 +7173,26 @@ contains
         call report(pdn_model_set_parameter(self%c, parameter, value), stat, errmsg)
     end subroutine model_set_parameter
 
-    ! Lets a parameter move a number, PDN_NUMBER_..., of the force, body or beam element index.
-    subroutine model_move_number(self, parameter, number, index, power, factor, stat, errmsg)
+    ! Lets a parameter move a number, PDN_NUMBER_..., of the force, inertia or element id.
+    subroutine model_move_number(self, parameter, number, id, power, factor, stat, errmsg)
         class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: parameter, number, index, power
+        integer(c_int32_t), intent(in) :: parameter, number, id, power
         real(c_double), intent(in) :: factor
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
 
-        call report(pdn_model_move_number(self%c, parameter, number, index, power, factor), stat, errmsg)
+        call report(pdn_model_move_number(self%c, parameter, number, id, power, factor), stat, errmsg)
     end subroutine model_move_number
 
-    ! Lets a parameter move a part, PDN_PART_..., of the signal of what has this index, PDN_SIGNAL_OF_....
-    subroutine model_move_signal(self, parameter, place, index, component, part, factor, stat, errmsg)
+    ! Lets a parameter move a part, PDN_PART_..., of the signal of what has this id, PDN_SIGNAL_OF_....
+    subroutine model_move_signal(self, parameter, place, id, component, part, factor, stat, errmsg)
         class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: parameter, place, index, component, part
+        integer(c_int32_t), intent(in) :: parameter, place, id, component, part
         real(c_double), intent(in) :: factor
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
 
-        call report(pdn_model_move_signal(self%c, parameter, place, index, component, part, factor), stat, errmsg)
+        call report(pdn_model_move_signal(self%c, parameter, place, id, component, part, factor), stat, errmsg)
     end subroutine model_move_signal
 
     ! Damping in proportion to mass.

@@ -203,6 +203,31 @@
 #define PDN_FIRST_PARAMETER 700000000
 
 /**
+ * Id of the load on a node that was added first.
+ */
+#define PDN_FIRST_LOAD 800000000
+
+/**
+ * Id of the load along beam elements that was added first.
+ */
+#define PDN_FIRST_BEAM_LOAD 900000000
+
+/**
+ * Id of the load on shell elements that was added first.
+ */
+#define PDN_FIRST_SHELL_LOAD 1000000000
+
+/**
+ * Id of the inertia that was added first: that of a rigid body, or a mass or inertia on a node.
+ */
+#define PDN_FIRST_INERTIA 1100000000
+
+/**
+ * Id of the coordinate that was prescribed first.
+ */
+#define PDN_FIRST_PRESCRIBED 1200000000
+
+/**
  * In place of a node's id: the ground, which does not move.
  */
 #define PDN_GROUND -1
@@ -445,34 +470,59 @@
 #define PDN_TANGENT_VELOCITY 2301
 
 /**
- * What has an id: a node, or a rigid body, which is one.
+ * What has a label: a node, or a rigid body, which is one.
  */
 #define PDN_OBJECT_NODE 1000
 
 /**
- * What has an id: a joint.
+ * What has a label: a joint.
  */
 #define PDN_OBJECT_JOINT 1001
 
 /**
- * What has an id: a beam element.
+ * What has a label: a beam element.
  */
 #define PDN_OBJECT_BEAM_ELEMENT 1002
 
 /**
- * What has an id: a shell element.
+ * What has a label: a shell element.
  */
 #define PDN_OBJECT_SHELL_ELEMENT 1003
 
 /**
- * What has an id: a force, but not a load.
+ * What has a label: a force, but not a load.
  */
 #define PDN_OBJECT_FORCE 1004
 
 /**
- * What has an id: a linear relation between joint coordinates.
+ * What has a label: a linear relation between joint coordinates.
  */
 #define PDN_OBJECT_RELATION 1005
+
+/**
+ * What has a label: a load on a node.
+ */
+#define PDN_OBJECT_LOAD 1006
+
+/**
+ * What has a label: a load along beam elements.
+ */
+#define PDN_OBJECT_BEAM_LOAD 1007
+
+/**
+ * What has a label: a load on shell elements.
+ */
+#define PDN_OBJECT_SHELL_LOAD 1008
+
+/**
+ * What has a label: the inertia of a rigid body, or a mass or inertia on a node.
+ */
+#define PDN_OBJECT_INERTIA 1009
+
+/**
+ * What has a label: a prescribed coordinate.
+ */
+#define PDN_OBJECT_PRESCRIBED 1010
 
 /**
  * Bytes of a label at most, without the NUL.
@@ -963,8 +1013,7 @@
 #define PDN_NUMBER_REST 3602
 
 /**
- * A parameter moves a factor of the inertia of a body: of the bodies, masses and inertias that
- * were given, in their order.
+ * A parameter moves a factor of an inertia: that of a rigid body, or a mass or inertia on a node.
  */
 #define PDN_NUMBER_INERTIA 3603
 
@@ -1017,37 +1066,37 @@
 #define PDN_NUMBER_FRAME_RATE 3613
 
 /**
- * The signal of an actuator, by its force id.
+ * The signal of an actuator, a force.
  */
 #define PDN_SIGNAL_OF_ACTUATOR 3700
 
 /**
- * The signal of a prescribed coordinate, in the order in which they were prescribed.
+ * The signal of a prescribed coordinate.
  */
 #define PDN_SIGNAL_OF_PRESCRIBED 3701
 
 /**
- * The signal of a component of a load on a node, in the order in which these were added.
+ * The signal of a component of a load on a node.
  */
 #define PDN_SIGNAL_OF_LOAD 3702
 
 /**
- * The signal of a component of a load along beams, in the order in which these were added.
+ * The signal of a component of a load along beam elements.
  */
 #define PDN_SIGNAL_OF_BEAM_LOAD 3703
 
 /**
- * The signal of a component of gravity; its index is 0.
+ * The signal of a component of gravity.
  */
 #define PDN_SIGNAL_OF_GRAVITY 3704
 
 /**
- * The signal of a linear relation between joint coordinates, by its id.
+ * The signal of a linear relation between joint coordinates.
  */
 #define PDN_SIGNAL_OF_RELATION 3705
 
 /**
- * The signal of a component of a load on shells, in the order in which these were added.
+ * The signal of a component of a load on shell elements.
  */
 #define PDN_SIGNAL_OF_SHELL_LOAD 3706
 
@@ -1291,8 +1340,8 @@ typedef struct pdn_equations pdn_equations;
  * consistent set of units will do (such as metre, newton, kilogram, second); angles are in
  * radians.
  *
- * Nodes, joints and beam elements are named by ids, each counted from 0 in the order they are
- * made. A call that fails leaves the model as it was.
+ * All that is added has an id, in the order in which it was added: nodes from PDN_FIRST_NODE on,
+ * joints from PDN_FIRST_JOINT on, and so on. A call that fails leaves the model as it was.
  */
 typedef struct pdn_model pdn_model;
 
@@ -3904,6 +3953,8 @@ pdn_status pdn_model_add_node(struct pdn_model *model,
 /**
  * Adds a rigid body: a node at its centre of mass, with axes parallel to the global ones.
  *
+ * Its inertia has an id, ::pdn_model_inertia_of, by which a parameter can move it.
+ *
  * @param model  the model; not NULL
  * @param mass  mass, positive [mass]
  * @param centre  array of length 3: centre of mass, global coordinates [length]
@@ -3932,6 +3983,7 @@ pdn_status pdn_model_add_rigid_body(struct pdn_model *model,
  *     [length]
  * @param inertia  array of length 9: moments of inertia about the centre, in global axes, 3 x 3,
  *     symmetric and positive semi-definite [mass * length^2]; NULL for a point mass
+ * @param id  id of the inertia; may be NULL if it is not wanted; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
  *
  * Threads: exclusive use of `model`.
@@ -3942,7 +3994,8 @@ pdn_status pdn_model_add_mass(struct pdn_model *model,
                               int32_t node,
                               double mass,
                               const double *centre,
-                              const double *inertia);
+                              const double *inertia,
+                              int32_t *id);
 
 /**
  * Fixes an inertia of any kind to a node, in addition to what the node has.
@@ -3956,6 +4009,7 @@ pdn_status pdn_model_add_mass(struct pdn_model *model,
  * @param frame  the frame that the matrix is about and resolved in; NULL for the node's own
  * @param matrix  array of length 36: 6 x 6, symmetric and positive semi-definite
  *     [mass, mass * length,     mass * length^2]
+ * @param id  id of the inertia; may be NULL if it is not wanted; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
  *
  * Threads: exclusive use of `model`.
@@ -3965,7 +4019,8 @@ PDN_API
 pdn_status pdn_model_add_inertia(struct pdn_model *model,
                                  int32_t node,
                                  const struct pdn_frame *frame,
-                                 const double *matrix);
+                                 const double *matrix,
+                                 int32_t *id);
 
 /**
  * Makes a joint coordinate follow a signal. Each coordinate can be prescribed once.
@@ -3976,6 +4031,8 @@ pdn_status pdn_model_add_inertia(struct pdn_model *model,
  * @param joint  id of the joint
  * @param coordinate  PDN_DISPLACEMENT ... PDN_ROTATION_3; one that the joint has
  * @param signal  the coordinate in time [length, or radian], copied; not NULL
+ * @param prescribed  id of the prescribed coordinate; may be NULL if it is not wanted; written on
+ *     success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
  *     PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_AVAILABLE
  *
@@ -3986,7 +4043,8 @@ PDN_API
 pdn_status pdn_model_prescribe(struct pdn_model *model,
                                int32_t joint,
                                int32_t coordinate,
-                               const struct pdn_signal *signal);
+                               const struct pdn_signal *signal,
+                               int32_t *prescribed);
 
 /**
  * Fixes two bodies to each other.
@@ -4609,6 +4667,7 @@ pdn_status pdn_model_add_beam_between(struct pdn_model *model,
  * @param component  PDN_FORCE_1, PDN_FORCE_2, PDN_FORCE_3 [force], PDN_MOMENT_1, PDN_MOMENT_2 or
  *     PDN_MOMENT_3 [force * length]
  * @param signal  the component in time, copied; not NULL
+ * @param load  the load's id; may be NULL if it is not wanted; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
  *     PDN_ERR_STRUCT_SIZE
  *
@@ -4620,7 +4679,8 @@ pdn_status pdn_model_add_load(struct pdn_model *model,
                               int32_t node,
                               int32_t frame,
                               int32_t component,
-                              const struct pdn_signal *signal);
+                              const struct pdn_signal *signal,
+                              int32_t *load);
 
 /**
  * Sets the acceleration of gravity, in place of any set before. Without this call there is none.
@@ -4678,6 +4738,8 @@ pdn_status pdn_model_set_gravity_signals(struct pdn_model *model,
  * @param factors  array of length [count]: factors of the signal at these places, linear in
  *     between; NULL if count is 0
  * @param count  0 for a factor of 1 all along; or at least 2
+ * @param load  the load's id, a beam load's; may be NULL if it is not wanted; written on success
+ *     only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
  *     PDN_ERR_STRUCT_SIZE
  *
@@ -4693,7 +4755,8 @@ pdn_status pdn_model_add_distributed_load(struct pdn_model *model,
                                           const struct pdn_signal *signal,
                                           const double *fractions,
                                           const double *factors,
-                                          size_t count);
+                                          size_t count,
+                                          int32_t *load);
 
 /**
  * Adds a force and moment distributed along beam elements, all components at all places at once,
@@ -4702,7 +4765,7 @@ pdn_status pdn_model_add_distributed_load(struct pdn_model *model,
  *
  * It acts on the line of the beam, for each unit of its reference length, and moves with the
  * sections. It is linear between neighbouring places. However many there are, the beam is
- * evaluated as for one.
+ * evaluated as for one. Each place is a beam load with an id of its own.
  *
  * @param model  the model; not NULL
  * @param first_element  id of the first beam element, such as the first_element of a ::pdn_beam
@@ -4720,6 +4783,8 @@ pdn_status pdn_model_add_distributed_load(struct pdn_model *model,
  *     PDN_FORCE_1 to PDN_FORCE_3 [force / length] and PDN_MOMENT_1 to PDN_MOMENT_3 [force], then
  *     those of the next. One that was only initialised is zero
  * @param count  number of places, at least 2
+ * @param first_load  id of the beam load at the first place; those at the others follow; may be
+ *     NULL if it is not wanted; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
  *     PDN_ERR_STRUCT_SIZE
  *
@@ -4734,7 +4799,8 @@ pdn_status pdn_model_add_load_at_places(struct pdn_model *model,
                                         const double *axis_2,
                                         const double *fractions,
                                         const struct pdn_signal *signals,
-                                        size_t count);
+                                        size_t count,
+                                        int32_t *first_load);
 
 /**
  * Describes everything in a frame that turns about a fixed axis at a constant rate, in place of
@@ -5264,6 +5330,8 @@ pdn_status pdn_model_shell_node(const struct pdn_model *model,
  * @param component  PDN_FORCE_1, PDN_FORCE_2, PDN_FORCE_3 [force / length^2, or / length],
  *     PDN_MOMENT_1, PDN_MOMENT_2 or PDN_MOMENT_3 [times length]
  * @param signal  the component in time, copied; not NULL
+ * @param load  the load's id, a shell load's; may be NULL if it is not wanted; written on success
+ *     only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
  *     PDN_ERR_STRUCT_SIZE
  *
@@ -5277,7 +5345,8 @@ pdn_status pdn_model_add_shell_load(struct pdn_model *model,
                                     int32_t place,
                                     int32_t frame,
                                     int32_t component,
-                                    const struct pdn_signal *signal);
+                                    const struct pdn_signal *signal,
+                                    int32_t *load);
 
 /**
  * Gives shell elements forces and moments where nothing is strained: initial stress, in place of
@@ -5857,13 +5926,13 @@ pdn_status pdn_model_add_surface_force(struct pdn_model *model,
                                        int32_t *first_force);
 
 /**
- * Gives a node, joint, element, force or relation a label, in place of the one that it has.
+ * Gives a node, joint, element, force, load or the like a label, in place of the one that it has.
  *
  * Messages and reports name it after its number, as in: joint 3 "crank pin". Labels are saved and
  * copied with the model, and solutions keep those that it has when it is solved.
  *
  * @param model  the model; not NULL
- * @param kind  PDN_OBJECT_NODE to PDN_OBJECT_RELATION
+ * @param kind  PDN_OBJECT_NODE to PDN_OBJECT_PRESCRIBED
  * @param id  its id
  * @param label  text in UTF-8 of at most PDN_LABEL_LENGTH bytes, without quotes (") and control
  *     characters, that no other object of this kind has; empty or NULL to take the label away
@@ -5879,10 +5948,10 @@ pdn_status pdn_model_set_label(struct pdn_model *model,
                                const char *label);
 
 /**
- * The label of a node, joint, element, force or relation.
+ * The label of a node, joint, element, force, load or the like.
  *
  * @param model  the model; not NULL
- * @param kind  PDN_OBJECT_NODE to PDN_OBJECT_RELATION
+ * @param kind  PDN_OBJECT_NODE to PDN_OBJECT_PRESCRIBED
  * @param id  its id
  * @param buffer  array of length [capacity] for the label, UTF-8, always ended by NUL; may be NULL
  *     if capacity is 0
@@ -5901,10 +5970,10 @@ size_t pdn_model_label(const struct pdn_model *model,
                        size_t capacity);
 
 /**
- * The node, joint, element, force or relation that has a label.
+ * The node, joint, element, force, load or the like that has a label.
  *
  * @param model  the model; not NULL
- * @param kind  PDN_OBJECT_NODE to PDN_OBJECT_RELATION
+ * @param kind  PDN_OBJECT_NODE to PDN_OBJECT_PRESCRIBED
  * @param label  the label; not NULL
  * @param id  its id; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (none has this label)
@@ -7262,15 +7331,82 @@ pdn_status pdn_model_add_parameter(struct pdn_model *model,
                                    int32_t *out);
 
 /**
+ * Number of parameters; their ids follow each other from PDN_FIRST_PARAMETER on.
+ *
+ * @param model  the model; not NULL
+ * @param count  the number; written on success only
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_parameter_count(const struct pdn_model *model,
+                                     int32_t *count);
+
+/**
+ * Value and scale of a parameter.
+ *
+ * @param model  the model; not NULL
+ * @param parameter  id of the parameter
+ * @param value  its value; written on success only
+ * @param scale  what counts as 1 in it; may be NULL if it is not wanted; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_parameter(const struct pdn_model *model,
+                               int32_t parameter,
+                               double *value,
+                               double *scale);
+
+/**
+ * The name of a parameter.
+ *
+ * @param model  the model; not NULL
+ * @param parameter  id of the parameter
+ * @param buffer  array of length [capacity] for the name, UTF-8, always ended by NUL; may be NULL
+ *     if capacity is 0
+ * @param capacity  size of buffer in bytes
+ * @return length of the name without the NUL, as snprintf does; 0 if the handle or id is not
+ *     valid, see ::pdn_last_error
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+size_t pdn_model_parameter_name(const struct pdn_model *model,
+                                int32_t parameter,
+                                char *buffer,
+                                size_t capacity);
+
+/**
+ * The parameter that has a name.
+ *
+ * @param model  the model; not NULL
+ * @param name  the name; not NULL
+ * @param parameter  id of the parameter; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (none has this name)
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_find_parameter(const struct pdn_model *model,
+                                    const char *name,
+                                    int32_t *parameter);
+
+/**
  * Lets a parameter move a number of the model: it becomes `factor` times the parameter's value,
  * now and whenever that changes.
  *
  * @param model  the model; not NULL
  * @param parameter  id of the parameter
  * @param number  PDN_NUMBER_STIFFNESS, ...
- * @param index  id of the force, the beam element or the shell element; which of the bodies with
- *     inertia, from 0 in the order of ::pdn_model_inertia; 0 for PDN_NUMBER_MASS_DAMPING and
- *     PDN_NUMBER_FRAME_RATE
+ * @param id  id of the force, inertia, beam element or shell element that has it; 0 for
+ *     PDN_NUMBER_MASS_DAMPING and PDN_NUMBER_FRAME_RATE, which are of the whole model
  * @param power  power, from 1, of a stiffness or damping; 0 for all else
  * @param factor  the number for a unit of the parameter, not zero
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID (no such parameter or number),
@@ -7283,7 +7419,7 @@ PDN_API
 pdn_status pdn_model_move_number(struct pdn_model *model,
                                  int32_t parameter,
                                  int32_t number,
-                                 int32_t index,
+                                 int32_t id,
                                  int32_t power,
                                  double factor);
 
@@ -7294,8 +7430,7 @@ pdn_status pdn_model_move_number(struct pdn_model *model,
  * @param model  the model; not NULL
  * @param parameter  id of the parameter
  * @param place  what has the signal: PDN_SIGNAL_OF_ACTUATOR, ...
- * @param index  id of the actuator or the relation; of prescribed coordinates and loads which of
- *     them, from 0 in the order in which they were added; 0 for gravity
+ * @param id  its id: of a force, prescribed coordinate, load or relation; 0 for gravity
  * @param component  of a load PDN_FORCE_1, ... or PDN_MOMENT_3, of gravity from 0 to 2; 0 for all
  *     else
  * @param part  PDN_PART_MEAN, PDN_PART_RATE, PDN_PART_AMPLITUDE or PDN_PART_PHASE
@@ -7309,7 +7444,7 @@ PDN_API
 pdn_status pdn_model_move_signal(struct pdn_model *model,
                                  int32_t parameter,
                                  int32_t place,
-                                 int32_t index,
+                                 int32_t id,
                                  int32_t component,
                                  int32_t part,
                                  double factor);
@@ -7534,7 +7669,8 @@ pdn_status pdn_model_beam_section(const struct pdn_model *model,
                                   double *twist);
 
 /**
- * Number of bodies, masses and inertias on nodes.
+ * Number of inertias: bodies, masses and inertias on nodes; their ids follow each other from
+ * PDN_FIRST_INERTIA on.
  *
  * @param model  the model; not NULL
  * @param count  the number; written on success only
@@ -7548,11 +7684,10 @@ pdn_status pdn_model_inertia_count(const struct pdn_model *model,
                                    int32_t *count);
 
 /**
- * A body, mass or inertia on a node, in the order in which they were added, with the factors of
- * parameters.
+ * The inertia of a body, or a mass or inertia on a node, with the factors of parameters.
  *
  * @param model  the model; not NULL
- * @param index  which of them, from 0
+ * @param inertia  id of the inertia
  * @param node  the node's id; written on success only
  * @param matrix  array of length 36: 6 x 6 inertia about the node, along its axes, as in
  *     ::pdn_model_add_inertia; written on success only
@@ -7563,16 +7698,32 @@ pdn_status pdn_model_inertia_count(const struct pdn_model *model,
  */
 PDN_API
 pdn_status pdn_model_inertia(const struct pdn_model *model,
-                             int32_t index,
+                             int32_t inertia,
                              int32_t *node,
                              double *matrix);
 
 /**
- * A prescribed coordinate, in the order in which they were prescribed; ::pdn_model_summary tells
- * how many there are, and ::pdn_model_sample_signal what they follow.
+ * The inertia of a node: of a rigid body its own, of others the one that was added first.
  *
  * @param model  the model; not NULL
- * @param index  which of them, from 0
+ * @param node  id of the node
+ * @param inertia  id of the inertia; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_NOT_AVAILABLE (the node has none)
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_inertia_of(const struct pdn_model *model,
+                                int32_t node,
+                                int32_t *inertia);
+
+/**
+ * A prescribed coordinate; ::pdn_model_summary tells how many there are, whose ids follow each
+ * other from PDN_FIRST_PRESCRIBED on, and ::pdn_model_sample_signal what they follow.
+ *
+ * @param model  the model; not NULL
+ * @param prescribed  id of the prescribed coordinate
  * @param joint  id of its joint; written on success only
  * @param coordinate  PDN_DISPLACEMENT, ...; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
@@ -7582,42 +7733,9 @@ pdn_status pdn_model_inertia(const struct pdn_model *model,
  */
 PDN_API
 pdn_status pdn_model_prescribed(const struct pdn_model *model,
-                                int32_t index,
+                                int32_t prescribed,
                                 int32_t *joint,
                                 int32_t *coordinate);
-
-/**
- * Number of loads on nodes.
- *
- * @param model  the model; not NULL
- * @param count  the number; written on success only
- * @return PDN_OK, PDN_ERR_NULL
- *
- * Threads: `model` is `const`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_model_load_count(const struct pdn_model *model,
-                                int32_t *count);
-
-/**
- * A load on a node, in the order in which they were added; its components are signals,
- * ::pdn_model_sample_signal.
- *
- * @param model  the model; not NULL
- * @param index  which of them, from 0
- * @param node  the node's id; written on success only
- * @param frame  PDN_FRAME_SPACE or PDN_FRAME_MATERIAL; written on success only
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
- *
- * Threads: `model` is `const`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_model_load_at(const struct pdn_model *model,
-                             int32_t index,
-                             int32_t *node,
-                             int32_t *frame);
 
 /**
  * Number of coordinates of a linear relation.
@@ -7662,15 +7780,15 @@ pdn_status pdn_model_relation_term(const struct pdn_model *model,
  *
  * @param model  the model; not NULL
  * @param place  what has the signal: PDN_SIGNAL_OF_ACTUATOR, ...
- * @param index  which of them
+ * @param id  its id, as in ::pdn_model_move_signal
  * @param component  of a load PDN_FORCE_1, ... or PDN_MOMENT_3, of gravity from 0 to 2; 0 for all
  *     else
  * @param period  period of the motion, that harmonics refer to [time]
  * @param times  array of length [count]: times
  * @param count  number of times
  * @param values  array of length [count]: the values there; written on success only
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE,
- *     PDN_ERR_NOT_AVAILABLE (there is no such signal), PDN_ERR_CALLBACK
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_NOT_AVAILABLE (it has no such signal), PDN_ERR_CALLBACK
  *
  * Threads: `model` is `const`. Signals' functions are called on this thread.
  * @since 0.1
@@ -7678,12 +7796,143 @@ pdn_status pdn_model_relation_term(const struct pdn_model *model,
 PDN_API
 pdn_status pdn_model_sample_signal(const struct pdn_model *model,
                                    int32_t place,
-                                   int32_t index,
+                                   int32_t id,
                                    int32_t component,
                                    double period,
                                    const double *times,
                                    size_t count,
                                    double *values);
+
+/**
+ * Number of loads on nodes; their ids follow each other from PDN_FIRST_LOAD on.
+ *
+ * @param model  the model; not NULL
+ * @param count  the number; written on success only
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_load_count(const struct pdn_model *model,
+                                int32_t *count);
+
+/**
+ * A load on a node; its components are signals, ::pdn_model_sample_signal.
+ *
+ * @param model  the model; not NULL
+ * @param load  id of the load
+ * @param node  the node's id; written on success only
+ * @param frame  PDN_FRAME_SPACE or PDN_FRAME_MATERIAL; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_load_at(const struct pdn_model *model,
+                             int32_t load,
+                             int32_t *node,
+                             int32_t *frame);
+
+/**
+ * Number of loads along beam elements; their ids follow each other from PDN_FIRST_BEAM_LOAD on.
+ *
+ * @param model  the model; not NULL
+ * @param count  the number; written on success only
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_beam_load_count(const struct pdn_model *model,
+                                     int32_t *count);
+
+/**
+ * A load along beam elements; its components are signals, ::pdn_model_sample_signal, times the
+ * factors of ::pdn_model_beam_load_factor.
+ *
+ * @param model  the model; not NULL
+ * @param load  id of the beam load
+ * @param first_element  id of the first beam element; written on success only
+ * @param elements  number of elements, from the first on; written on success only
+ * @param frame  PDN_FRAME_SPACE, PDN_FRAME_MATERIAL or PDN_FRAME_UNTWISTED; written on success
+ *     only
+ * @param axis_2  array of length 3: direction that was given with PDN_FRAME_UNTWISTED, else zero;
+ *     may be NULL if it is not wanted; written on success only
+ * @param places  number of places with factors, 0 for a factor of 1 all along; written on success
+ *     only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_beam_load(const struct pdn_model *model,
+                               int32_t load,
+                               int32_t *first_element,
+                               int32_t *elements,
+                               int32_t *frame,
+                               double *axis_2,
+                               int32_t *places);
+
+/**
+ * Factor of a load along beam elements at a place; it is linear in between.
+ *
+ * @param model  the model; not NULL
+ * @param load  id of the beam load
+ * @param index  which of its places, from 0, in order along the elements
+ * @param fraction  the place, as a fraction of the reference length of its elements; written on
+ *     success only
+ * @param factor  the factor there; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_beam_load_factor(const struct pdn_model *model,
+                                      int32_t load,
+                                      int32_t index,
+                                      double *fraction,
+                                      double *factor);
+
+/**
+ * Number of loads on shell elements; their ids follow each other from PDN_FIRST_SHELL_LOAD on.
+ *
+ * @param model  the model; not NULL
+ * @param count  the number; written on success only
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_shell_load_count(const struct pdn_model *model,
+                                      int32_t *count);
+
+/**
+ * A load on shell elements; its components are signals, ::pdn_model_sample_signal.
+ *
+ * @param model  the model; not NULL
+ * @param load  id of the shell load
+ * @param first_element  id of the first shell element; written on success only
+ * @param elements  number of elements, from the first on; written on success only
+ * @param place  PDN_SHELL_SURFACE or an edge, of each of them; written on success only
+ * @param frame  PDN_FRAME_SPACE or PDN_FRAME_MATERIAL; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_shell_load(const struct pdn_model *model,
+                                int32_t load,
+                                int32_t *first_element,
+                                int32_t *elements,
+                                int32_t *place,
+                                int32_t *frame);
 
 /**
  * Makes an empty list: no parameter is free.

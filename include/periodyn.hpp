@@ -42,7 +42,11 @@ constexpr std::int32_t first_node = PDN_FIRST_NODE, first_joint = PDN_FIRST_JOIN
                        first_beam_element = PDN_FIRST_BEAM_ELEMENT,
                        first_shell_element = PDN_FIRST_SHELL_ELEMENT,
                        first_force = PDN_FIRST_FORCE, first_relation = PDN_FIRST_RELATION,
-                       first_parameter = PDN_FIRST_PARAMETER;
+                       first_parameter = PDN_FIRST_PARAMETER, first_load = PDN_FIRST_LOAD,
+                       first_beam_load = PDN_FIRST_BEAM_LOAD,
+                       first_shell_load = PDN_FIRST_SHELL_LOAD,
+                       first_inertia = PDN_FIRST_INERTIA,
+                       first_prescribed = PDN_FIRST_PRESCRIBED;
 
 /** A point or a direction. */
 using Vector3 = std::array<double, 3>;
@@ -227,6 +231,11 @@ enum class ObjectKind : std::int32_t {
     shell_element = PDN_OBJECT_SHELL_ELEMENT,
     force = PDN_OBJECT_FORCE,
     relation = PDN_OBJECT_RELATION,
+    load = PDN_OBJECT_LOAD,
+    beam_load = PDN_OBJECT_BEAM_LOAD,
+    shell_load = PDN_OBJECT_SHELL_LOAD,
+    inertia = PDN_OBJECT_INERTIA,
+    prescribed = PDN_OBJECT_PRESCRIBED,
 };
 
 /** Kinds of pdn_force_info. */
@@ -254,6 +263,22 @@ struct RelationTerm {
     std::int32_t joint;
     Coordinate coordinate;
     double coefficient;
+};
+
+/** A load along beam elements: its signals times factors, linear between fractions of their length; 1 if there are
+ * none. axis_2 is the direction of Frame::untwisted. */
+struct BeamLoad {
+    std::int32_t first_element = 0, elements = 0;
+    Frame frame = Frame::space;
+    std::array<double, 3> axis_2{};
+    std::vector<double> fractions, factors;
+};
+
+/** A load on shell elements. */
+struct ShellLoad {
+    std::int32_t first_element = 0, elements = 0;
+    ShellPlace place = ShellPlace::surface;
+    Frame frame = Frame::space;
 };
 
 /** Bytes of a label at most. */
@@ -1368,29 +1393,89 @@ class Model
         return id([&](Id *out) { return pdn_model_inertia_count(get(), out); });
     }
     /** Node and matrix of a body, mass or inertia. */
-    std::pair<Id, Matrix6> inertia(std::int32_t index) const
+    std::pair<Id, Matrix6> inertia(Id inertia) const
     {
         std::pair<Id, Matrix6> out;
-        detail::check(pdn_model_inertia(get(), index, &out.first, out.second.data()));
+        detail::check(pdn_model_inertia(get(), inertia, &out.first, out.second.data()));
         return out;
     }
-    std::pair<Id, Coordinate> prescribed(std::int32_t index) const
+    /** The inertia of a node: of a rigid body its own. */
+    Id inertia_of(Id node) const
+    {
+        return id([&](Id *out) { return pdn_model_inertia_of(get(), node, out); });
+    }
+    std::pair<Id, Coordinate> prescribed(Id prescribed) const
     {
         Id joint = 0;
         std::int32_t coordinate = 0;
-        detail::check(pdn_model_prescribed(get(), index, &joint, &coordinate));
+        detail::check(pdn_model_prescribed(get(), prescribed, &joint, &coordinate));
         return {joint, static_cast<Coordinate>(coordinate)};
     }
     Id load_count() const
     {
         return id([&](Id *out) { return pdn_model_load_count(get(), out); });
     }
-    std::pair<Id, Frame> load_at(std::int32_t index) const
+    std::pair<Id, Frame> load_at(Id load) const
     {
         Id node = 0;
         std::int32_t frame = 0;
-        detail::check(pdn_model_load_at(get(), index, &node, &frame));
+        detail::check(pdn_model_load_at(get(), load, &node, &frame));
         return {node, static_cast<Frame>(frame)};
+    }
+    Id beam_load_count() const
+    {
+        return id([&](Id *out) { return pdn_model_beam_load_count(get(), out); });
+    }
+    BeamLoad beam_load(Id load) const
+    {
+        BeamLoad out;
+        std::int32_t frame = 0, places = 0;
+        detail::check(pdn_model_beam_load(get(), load, &out.first_element, &out.elements, &frame,
+                                          out.axis_2.data(), &places));
+        out.frame = static_cast<Frame>(frame);
+        out.fractions.resize(static_cast<std::size_t>(places));
+        out.factors.resize(out.fractions.size());
+        for (std::int32_t i = 0; i < places; ++i) {
+            const auto k = static_cast<std::size_t>(i);
+            detail::check(
+                pdn_model_beam_load_factor(get(), load, i, &out.fractions[k], &out.factors[k]));
+        }
+        return out;
+    }
+    Id shell_load_count() const
+    {
+        return id([&](Id *out) { return pdn_model_shell_load_count(get(), out); });
+    }
+    ShellLoad shell_load(Id load) const
+    {
+        ShellLoad out;
+        std::int32_t place = 0, frame = 0;
+        detail::check(pdn_model_shell_load(get(), load, &out.first_element, &out.elements, &place,
+                                           &frame));
+        out.place = static_cast<ShellPlace>(place);
+        out.frame = static_cast<Frame>(frame);
+        return out;
+    }
+    Id parameter_count() const
+    {
+        return id([&](Id *out) { return pdn_model_parameter_count(get(), out); });
+    }
+    /** Value and scale of a parameter. */
+    std::pair<double, double> parameter(Id parameter) const
+    {
+        std::pair<double, double> out;
+        detail::check(pdn_model_parameter(get(), parameter, &out.first, &out.second));
+        return out;
+    }
+    std::string parameter_name(Id parameter) const
+    {
+        return detail::text([&](char *buffer, std::size_t size) {
+            return pdn_model_parameter_name(get(), parameter, buffer, size);
+        });
+    }
+    Id find_parameter(const std::string &name) const
+    {
+        return id([&](Id *out) { return pdn_model_find_parameter(get(), name.c_str(), out); });
     }
     std::vector<RelationTerm> relation_terms(Id relation) const
     {
@@ -1405,11 +1490,11 @@ class Model
         }
         return terms;
     }
-    std::vector<double> sample_signal(SignalOf place, std::int32_t index, std::int32_t component,
-                                      double period, Reals times) const
+    std::vector<double> sample_signal(SignalOf place, Id id, std::int32_t component, double period,
+                                      Reals times) const
     {
         std::vector<double> values(times.size());
-        detail::check(pdn_model_sample_signal(get(), detail::c(place), index, component, period,
+        detail::check(pdn_model_sample_signal(get(), detail::c(place), id, component, period,
                                               times.data(), times.size(), values.data()));
         return values;
     }
@@ -1434,23 +1519,31 @@ class Model
             return pdn_model_add_rigid_body(get(), mass, centre.data(), inertia.data(), out);
         });
     }
-    /** A point mass. */
-    void add_mass(Id node, double mass, const Vector3 &centre)
+    /** A point mass; returns the id of its inertia. */
+    Id add_mass(Id node, double mass, const Vector3 &centre)
     {
-        detail::check(pdn_model_add_mass(get(), node, mass, centre.data(), nullptr));
+        return id([&](Id *out) {
+            return pdn_model_add_mass(get(), node, mass, centre.data(), nullptr, out);
+        });
     }
-    void add_mass(Id node, double mass, const Vector3 &centre, const Matrix3 &inertia)
+    Id add_mass(Id node, double mass, const Vector3 &centre, const Matrix3 &inertia)
     {
-        detail::check(pdn_model_add_mass(get(), node, mass, centre.data(), inertia.data()));
+        return id([&](Id *out) {
+            return pdn_model_add_mass(get(), node, mass, centre.data(), inertia.data(), out);
+        });
     }
     /** About and along the node's own axes. */
-    void add_inertia(Id node, const Matrix6 &matrix)
+    Id add_inertia(Id node, const Matrix6 &matrix)
     {
-        detail::check(pdn_model_add_inertia(get(), node, nullptr, matrix.data()));
+        return id([&](Id *out) {
+            return pdn_model_add_inertia(get(), node, nullptr, matrix.data(), out);
+        });
     }
-    void add_inertia(Id node, const pdn_frame &frame, const Matrix6 &matrix)
+    Id add_inertia(Id node, const pdn_frame &frame, const Matrix6 &matrix)
     {
-        detail::check(pdn_model_add_inertia(get(), node, &frame, matrix.data()));
+        return id([&](Id *out) {
+            return pdn_model_add_inertia(get(), node, &frame, matrix.data(), out);
+        });
     }
     ///@}
 
@@ -1535,10 +1628,10 @@ class Model
                                                pitch, out);
         });
     }
-    void prescribe(Id joint, Coordinate coordinate, const Signal &signal)
+    Id prescribe(Id joint, Coordinate coordinate, const Signal &signal)
     {
-        take({&signal}, [&] {
-            return pdn_model_prescribe(get(), joint, detail::c(coordinate), &signal.get());
+        return take({&signal}, [&](Id *out) {
+            return pdn_model_prescribe(get(), joint, detail::c(coordinate), &signal.get(), out);
         });
     }
     /** The sum of coefficients times coordinates stays what it is in the reference configuration. */
@@ -1552,11 +1645,9 @@ class Model
     Id add_relation(Ids joints, const std::vector<Coordinate> &coordinates, Reals coefficients,
                     const Signal &signal)
     {
-        Id added = 0;
-        take({&signal}, [&] {
-            return relation(joints, coordinates, coefficients, &signal.get(), &added);
+        return take({&signal}, [&](Id *out) {
+            return relation(joints, coordinates, coefficients, &signal.get(), out);
         });
-        return added;
     }
     ///@}
 
@@ -1678,44 +1769,46 @@ class Model
             pdn_model_set_shell_prestress(get(), first_element, elements, resultants.data()));
     }
     /** A component for each unit of area of the surfaces, or of length of edges. */
-    void add_shell_load(Id first_element, Id elements, ShellPlace place, Frame frame,
-                        Component component, const Signal &signal)
+    Id add_shell_load(Id first_element, Id elements, ShellPlace place, Frame frame,
+                      Component component, const Signal &signal)
     {
-        take({&signal}, [&] {
+        return take({&signal}, [&](Id *out) {
             return pdn_model_add_shell_load(get(), first_element, elements, detail::c(place),
-                                            detail::c(frame), detail::c(component), &signal.get());
+                                            detail::c(frame), detail::c(component), &signal.get(),
+                                            out);
         });
     }
     ///@}
 
     /** @name Loads */
     ///@{
-    void add_load(Id node, Frame frame, Component component, const Signal &signal)
+    Id add_load(Id node, Frame frame, Component component, const Signal &signal)
     {
-        take({&signal}, [&] {
+        return take({&signal}, [&](Id *out) {
             return pdn_model_add_load(get(), node, detail::c(frame), detail::c(component),
-                                      &signal.get());
+                                      &signal.get(), out);
         });
     }
     /** The factors of the signal are linear between fractions of the length; 1 if none are given.
      */
-    void add_distributed_load(Id first_element, Id elements, Frame frame, Component component,
-                              const Signal &signal, Reals fractions = {}, Reals factors = {})
+    Id add_distributed_load(Id first_element, Id elements, Frame frame, Component component,
+                            const Signal &signal, Reals fractions = {}, Reals factors = {})
     {
         if (fractions.size() != factors.size()) {
             throw error(PDN_ERR_SIZE, "factors: expected as many as fractions");
         }
-        take({&signal}, [&] {
+        return take({&signal}, [&](Id *out) {
             return pdn_model_add_distributed_load(
                 get(), first_element, elements, detail::c(frame), detail::c(component),
-                &signal.get(), fractions.data(), factors.data(), fractions.size());
+                &signal.get(), fractions.data(), factors.data(), fractions.size(), out);
         });
     }
     /** All components at all places: six signals for each fraction of the length, linear in between. Frame::untwisted
-     * has axis 1 along the reference line, and axis 2 as near to axis_2 as it can be. */
-    void add_load_at_places(Id first_element, Id elements, Frame frame, Reals fractions,
-                            const std::vector<std::array<Signal, 6>> &signals,
-                            const Vector3 &axis_2 = {})
+     * has axis 1 along the reference line, and axis 2 as near to axis_2 as it can be. Returns the id of the load at
+     * the first place; the others follow. */
+    Id add_load_at_places(Id first_element, Id elements, Frame frame, Reals fractions,
+                          const std::vector<std::array<Signal, 6>> &signals,
+                          const Vector3 &axis_2 = {})
     {
         if (fractions.size() != signals.size()) {
             throw error(PDN_ERR_SIZE, "signals: expected as many as fractions");
@@ -1728,10 +1821,10 @@ class Model
                 given.push_back(signal.get());
             }
         }
-        take(all, [&] {
+        return take(all, [&](Id *out) {
             return pdn_model_add_load_at_places(get(), first_element, elements, detail::c(frame),
                                                 axis_2.data(), fractions.data(), given.data(),
-                                                fractions.size());
+                                                fractions.size(), out);
         });
     }
     /** Adds a parameter, which moves nothing yet. */
@@ -1741,17 +1834,17 @@ class Model
             return pdn_model_add_parameter(get(), name.c_str(), value, scale, out);
         });
     }
-    /** Lets a parameter move a number of the force, body or beam element `index`. */
-    void move_number(Id parameter, Number number, Id index, std::int32_t power, double factor)
+    /** Lets a parameter move a number of the force, inertia or element `id`. */
+    void move_number(Id parameter, Number number, Id id, std::int32_t power, double factor)
     {
         detail::check(
-            pdn_model_move_number(get(), parameter, detail::c(number), index, power, factor));
+            pdn_model_move_number(get(), parameter, detail::c(number), id, power, factor));
     }
-    /** Lets a parameter move a part of the signal of what has this `index`. */
-    void move_signal(Id parameter, SignalOf place, Id index, std::int32_t component,
-                     SignalPart part, double factor)
+    /** Lets a parameter move a part of the signal of what has this `id`. */
+    void move_signal(Id parameter, SignalOf place, Id id, std::int32_t component, SignalPart part,
+                     double factor)
     {
-        detail::check(pdn_model_move_signal(get(), parameter, detail::c(place), index, component,
+        detail::check(pdn_model_move_signal(get(), parameter, detail::c(place), id, component,
                                             detail::c(part), factor));
     }
     void set_parameter(Id parameter, double value)
@@ -1813,7 +1906,7 @@ class Model
     void set_gravity(const Signal &acceleration_1, const Signal &acceleration_2,
                      const Signal &acceleration_3)
     {
-        take({&acceleration_1, &acceleration_2, &acceleration_3}, [&] {
+        take({&acceleration_1, &acceleration_2, &acceleration_3}, [&](Id *) {
             return pdn_model_set_gravity_signals(get(), &acceleration_1.get(),
                                                  &acceleration_2.get(), &acceleration_3.get());
         });
@@ -1841,12 +1934,9 @@ class Model
     }
     Id add_actuator(Id joint, Coordinate coordinate, const Signal &signal)
     {
-        Id force = 0;
-        take({&signal}, [&] {
-            return pdn_model_add_actuator(get(), joint, detail::c(coordinate), &signal.get(),
-                                          &force);
+        return take({&signal}, [&](Id *out) {
+            return pdn_model_add_actuator(get(), joint, detail::c(coordinate), &signal.get(), out);
         });
-        return force;
     }
     Id add_viscoelastic(Id joint, Coordinate coordinate, double stiffness, double rest,
                         Reals branch_stiffness, Reals relaxation_times)
@@ -2021,9 +2111,10 @@ class Model
         return pdn_model_add_relation(get(), joints.data(), which.data(), coefficients.data(),
                                       joints.size(), signal, out);
     }
-    /** Calls what takes the signals, and keeps what they point to. */
-    template <class Call> void take(const std::vector<const Signal *> &signals, Call call)
+    /** Calls what takes the signals, and keeps what they point to; returns the id of what is added. */
+    template <class Call> Id take(const std::vector<const Signal *> &signals, Call call)
     {
+        Id added = 0;
         const std::size_t before = kept_.size();
         for (const Signal *signal : signals) {
             const std::int32_t kind = signal->get().kind;
@@ -2031,11 +2122,12 @@ class Model
                 kept_.push_back(signal->kept());
             }
         }
-        const pdn_status status = call();
+        const pdn_status status = call(&added);
         if (status != PDN_OK) {
             kept_.resize(before);
         }
         detail::check(status);
+        return added;
     }
     template <class Law>
     static std::int32_t evaluate_law(double time, double coordinate, double rate, double *effort,

@@ -50,11 +50,11 @@ static pdn_model *make_rotor(size_t elements, int32_t *tip_node)
         const double flap[3] = {cos(pitch), sin(pitch) * z, -sin(pitch) * y};
         TRY(pdn_model_add_straight_beam(model, root, tip, flap, &profile, elements, 3, &blade));
         TRY(pdn_model_add_rigid_joint(model, hub, blade.first, root, &clamp));
-        TRY(pdn_model_add_load(model, blade.last, PDN_FRAME_SPACE, PDN_FORCE_1, &lift));
+        TRY(pdn_model_add_load(model, blade.last, PDN_FRAME_SPACE, PDN_FORCE_1, &lift, NULL));
     }
     TRY(pdn_model_add_revolute(model, PDN_GROUND, hub, centre, shaft, &bearing));
     TRY(pdn_model_set_gravity(model, gravity));
-    TRY(pdn_model_prescribe(model, bearing, PDN_ROTATION, &turn));
+    TRY(pdn_model_prescribe(model, bearing, PDN_ROTATION, &turn, NULL));
     *tip_node = blade.last;
     return model;
 }

@@ -84,9 +84,9 @@ static pdn_status make_blade(size_t task, pdn_model **out, int32_t *clamp, int32
     TRY(pdn_model_add_free_joint(model, hub, blade.last, tip, gauge));
     TRY(pdn_model_set_gravity(model, gravity));
     TRY(pdn_signal_set_harmonics(&turn, 0, 2 * PI * speed_of(task), NULL, NULL, 0));
-    TRY(pdn_model_prescribe(model, bearing, PDN_ROTATION, &turn));
+    TRY(pdn_model_prescribe(model, bearing, PDN_ROTATION, &turn, NULL));
     TRY(pdn_signal_set_harmonics(&lift, thrust, 0, cosines, sines, 2));
-    TRY(pdn_model_add_load(model, blade.last, PDN_FRAME_SPACE, PDN_FORCE_1, &lift));
+    TRY(pdn_model_add_load(model, blade.last, PDN_FRAME_SPACE, PDN_FORCE_1, &lift, NULL));
     *out = model;
     return PDN_OK;
 done:

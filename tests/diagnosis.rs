@@ -223,7 +223,7 @@ fn what_does_not_repeat_is_refused_by_name() {
     let mut load: [Option<Signal>; 6] = Default::default();
     load[1] = Some(steady(1.0));
     model.add_load(0, LoadFrame::Space, load).unwrap();
-    assert_error(try_solve(&model, period, 5), kind, &["load on node 0"]);
+    assert_error(try_solve(&model, period, 5), kind, &["load 0 on node 0"]);
 
     let mut model = driven_arm(&cosine(0.1));
     model.set_gravity([0.0, 0.0, 1.0].map(steady));

@@ -5,7 +5,7 @@
 #[allow(dead_code)]
 mod fuzz;
 
-use fuzz::{calls, files, models, signals};
+use fuzz::{calls, files, models, promises, signals};
 use std::collections::BTreeMap;
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -81,6 +81,8 @@ fn run(target: &str, runs: u64, one: impl Fn(&[u8], &Path)) {
 #[test]
 fn calls_keep_their_promises() {
     run("calls", 500, calls::run);
+    // Calls that are all refused would try nothing.
+    assert_eq!(promises::always_refused(), Vec::<String>::new());
 }
 
 #[test]

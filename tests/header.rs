@@ -39,6 +39,7 @@ const FILES: &[&str] = &[
     "equations",
     "parameter",
     "contents",
+    "load_contents",
     "condition",
     "sensitivity",
     "branch",

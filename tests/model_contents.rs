@@ -4,8 +4,8 @@ mod common;
 
 use common::models::elements::all_elements;
 use common::*;
-use nalgebra::Vector3;
-use periodyn::elements::JointKind;
+use nalgebra::{Matrix3, Vector3};
+use periodyn::elements::{BeamLoadFrame, JointKind, LoadFrame};
 use periodyn::error::ErrorKind;
 use periodyn::model::*;
 use periodyn::output::{Modes, Solution};
@@ -30,6 +30,10 @@ fn labels_are_unique_in_their_kind_and_survive_files() {
         (ObjectKind::BeamElement, 1, "blade"),
         (ObjectKind::Force, 3, "blade"),
         (ObjectKind::Relation, 0, "gear"),
+        (ObjectKind::Load, 0, "thrust"),
+        (ObjectKind::BeamLoad, 0, "lift"),
+        (ObjectKind::Inertia, 0, "flywheel"),
+        (ObjectKind::Prescribed, 0, "drive"),
     ];
     for (kind, id, label) in all {
         model.set_label(kind, id, label).unwrap();
@@ -41,6 +45,11 @@ fn labels_are_unique_in_their_kind_and_survive_files() {
         }
         assert_eq!(model.label(ObjectKind::Joint, 1), None);
         assert_eq!(model.find_label(ObjectKind::Joint, "gear"), None);
+        let text = model
+            .labels()
+            .annotate("load 0 on node 0, beam load 0, inertias 0, 1");
+        let named = "load 0 \"thrust\" on node 0, beam load 0 \"lift\", inertias 0 \"flywheel\", 1";
+        assert_eq!(text, named);
     }
     // The same again, another one, and none.
     model.set_label(ObjectKind::Force, 3, "blade").unwrap();
@@ -120,6 +129,42 @@ fn reports_and_summaries_name_what_has_a_label() {
 }
 
 #[test]
+fn what_is_added_is_numbered_in_its_kind() {
+    let (mut model, _) = all_elements();
+    let constant = Signal::constant(1.0).unwrap();
+    let components = || [const { None }; 6];
+    let load = model.add_load(0, LoadFrame::Space, components()).unwrap();
+    let place = |fraction| LoadPlace {
+        fraction,
+        components: components(),
+    };
+    let before = model.beam_loads().len();
+    // Those without any component are numbered, too.
+    let places = [place(0.0), place(0.5), place(1.0)];
+    let frame = BeamLoadFrame::Space;
+    let first = model.add_load_at_places(0, 1, frame, &places).unwrap();
+    assert_eq!((load, first), (model.loads().len() - 1, before));
+    assert_eq!(model.beam_loads().len(), before + 3);
+    assert_eq!(model.beam_loads()[before + 1].factors[2], (0.5, 1.0));
+    let inertias = model.inertias().count();
+    let body = model
+        .add_rigid_body(1.0, &Vector3::zeros(), &Matrix3::identity())
+        .unwrap();
+    let mass = model.add_mass(body, 2.0, &Vector3::x(), &Matrix3::zeros());
+    assert_eq!(mass.unwrap(), inertias + 1);
+    assert_eq!(model.inertias().nth(inertias + 1).unwrap().1[(0, 0)], 2.0);
+    let joint = revolute(
+        &mut model,
+        None,
+        Some(body),
+        &Vector3::zeros(),
+        &Vector3::z(),
+    );
+    let prescribed = model.prescribe(rotation1(joint), &constant).unwrap();
+    assert_eq!(prescribed, model.prescribed().len() - 1);
+}
+
+#[test]
 fn a_loaded_model_tells_what_it_holds() {
     let (model, period) = all_elements();
     let loaded = through_a_file(&model, "contents");
@@ -167,6 +212,22 @@ fn a_loaded_model_tells_what_it_holds() {
         assert_eq!((first.0, first.1[(0, 0)]), (0, 1.5));
         assert_eq!(model.prescribed()[0].0, rotation1(0));
         assert_eq!(model.loads().len(), 1);
+        for kind in ObjectKind::ALL {
+            let counts = [model, &loaded].map(|model| model.object_count(kind));
+            assert_eq!(counts[0], counts[1], "{kind}");
+        }
+        assert_eq!(
+            model.object_count(ObjectKind::Inertia),
+            model.inertias().count()
+        );
+        assert_eq!(
+            model.object_count(ObjectKind::BeamLoad),
+            model.beam_loads().len()
+        );
+        assert_eq!(
+            model.object_count(ObjectKind::ShellLoad),
+            model.shell_loads().len()
+        );
         let (section, twist) = model.beam_section(0, -1.0).unwrap();
         assert!((section.stiffness[(0, 0)] / 4e3 - 1.0).abs() < 1e-14);
         assert_eq!(twist, 0.0);

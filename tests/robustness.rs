@@ -153,7 +153,7 @@ fn add_something(model: &mut Model, random: &mut Random) -> Result<()> {
                 rest: random.number(),
             })?;
         }
-        6 => model.prescribe(at(random, model.joint_count()), &random.signal()?)?,
+        6 => drop(model.prescribe(at(random, model.joint_count()), &random.signal()?)?),
         7 => {
             let mut components: [Option<Signal>; 6] = Default::default();
             components[random.below(6)] = Some(random.signal()?);

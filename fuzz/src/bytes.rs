@@ -79,18 +79,18 @@ impl Bytes<'_> {
         std::array::from_fn(|_| self.positive())
     }
 
-    /// An id of one of `count` things, or now and then of none.
-    pub fn id(&mut self, count: usize) -> i32 {
+    /// The number of one of `count` things, or now and then of none.
+    pub fn index(&mut self, count: usize) -> i32 {
         match self.byte() {
             250..=255 => [-1, -2, i32::MAX, i32::MIN, count as i32, 99][self.below(6)],
             byte => (usize::from(byte) % count.max(1)) as i32,
         }
     }
 
-    /// One of so many constants from `first` on, or now and then none.
+    /// One of so many constants or ids from `first` on, or now and then none.
     pub fn constant(&mut self, first: i32, count: usize) -> i32 {
-        match self.id(count) {
-            id @ 0.. if (id as usize) < count => first + id,
+        match self.index(count) {
+            index @ 0.. if (index as usize) < count => first + index,
             other => other,
         }
     }

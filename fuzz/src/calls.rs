@@ -8,6 +8,7 @@ use periodyn::capi::bushing::*;
 use periodyn::capi::controller::pdn_model_add_controller;
 use periodyn::capi::files::*;
 use periodyn::capi::force::*;
+use periodyn::capi::id::*;
 use periodyn::capi::joint::*;
 use periodyn::capi::label::*;
 use periodyn::capi::linear_solver::PDN_LINEAR_AUTOMATIC;
@@ -124,9 +125,16 @@ impl Session<'_, '_> {
         (inertia[0], inertia[4], inertia[8]) = (moment[0], moment[1], moment[2]);
         let mut node = 0;
         if self.bytes.rarely(5) {
-            let node = self.bytes.id(nodes);
+            let node = self.bytes.constant(PDN_FIRST_NODE, nodes);
             let (centre, inertia) = (centre.as_ptr(), inertia.as_ptr());
-            call!(pdn_model_add_mass(self.model, node, mass, centre, inertia));
+            call!(pdn_model_add_mass(
+                self.model,
+                node,
+                mass,
+                centre,
+                inertia,
+                null_mut()
+            ));
         } else {
             let (centre, inertia) = (centre.as_ptr(), inertia.as_ptr());
             let added = call!(pdn_model_add_rigid_body(
@@ -140,10 +148,13 @@ impl Session<'_, '_> {
     fn joint(&mut self) {
         let [nodes, joints, ..] = self.counts();
         let first = match self.bytes.rarely(3) {
-            true => self.bytes.id(nodes),
+            true => self.bytes.constant(PDN_FIRST_NODE, nodes),
             false => -1,
         };
-        let (second, kind) = (self.bytes.id(nodes), self.bytes.below(9));
+        let (second, kind) = (
+            self.bytes.constant(PDN_FIRST_NODE, nodes),
+            self.bytes.below(9),
+        );
         let (point, axis) = (self.bytes.numbers::<3>(), self.bytes.axis());
         let other = self.bytes.axis();
         let (p, a, b) = (point.as_ptr(), axis.as_ptr(), other.as_ptr());
@@ -167,10 +178,19 @@ impl Session<'_, '_> {
             "a joint, or nothing"
         );
         if self.bytes.below(2) == 0 {
-            let (joint, coordinate) = (self.bytes.id(joints + 1), self.coordinate());
+            let (joint, coordinate) = (
+                self.bytes.constant(PDN_FIRST_JOINT, joints + 1),
+                self.coordinate(),
+            );
             let mut arrays = Arrays::default();
             let signal = given::signal(self.bytes, &mut arrays);
-            call!(pdn_model_prescribe(model, joint, coordinate, &signal));
+            call!(pdn_model_prescribe(
+                model,
+                joint,
+                coordinate,
+                &signal,
+                null_mut()
+            ));
         }
     }
 
@@ -201,7 +221,10 @@ impl Session<'_, '_> {
 
     fn force(&mut self) {
         let [nodes, joints, ..] = self.counts();
-        let (joint, coordinate) = (self.bytes.id(joints), self.coordinate());
+        let (joint, coordinate) = (
+            self.bytes.constant(PDN_FIRST_JOINT, joints),
+            self.coordinate(),
+        );
         let (model, mut id) = (self.model, 0);
         let out = &mut id;
         let [a, b, rest] = self.bytes.numbers();
@@ -252,7 +275,7 @@ impl Session<'_, '_> {
             5 => self.bushing(nodes),
             6 => self.relation(joints),
             _ if self.bytes.below(2) == 0 => {
-                let second = self.bytes.id(nodes);
+                let second = self.bytes.constant(PDN_FIRST_NODE, nodes);
                 let matrix: [f64; 36] =
                     std::array::from_fn(|i| if i % 7 == 0 { b.abs() } else { 0.0 });
                 call!(pdn_model_add_viscous_damper(
@@ -279,10 +302,10 @@ impl Session<'_, '_> {
 
     fn bushing(&mut self, nodes: usize) -> i32 {
         let first = match self.bytes.rarely(3) {
-            true => self.bytes.id(nodes),
+            true => self.bytes.constant(PDN_FIRST_NODE, nodes),
             false => -1,
         };
-        let second = self.bytes.id(nodes);
+        let second = self.bytes.constant(PDN_FIRST_NODE, nodes);
         let frames = [self.frame(), self.frame()];
         let [stiffness, damping] = [(); 2].map(|()| {
             let mut matrix = [0.0; 36];
@@ -308,7 +331,7 @@ impl Session<'_, '_> {
     /// Of up to two coordinates that it reads, and acts on, and of up to two states.
     fn controller(&mut self) {
         let [_, joints, ..] = self.counts();
-        let ids = [(); 4].map(|()| self.bytes.id(joints));
+        let ids = [(); 4].map(|()| self.bytes.constant(PDN_FIRST_JOINT, joints));
         let coordinates = [(); 4].map(|()| self.coordinate());
         let counts = [(); 3].map(|()| self.bytes.below(3));
         let (initial, sizes) = (self.bytes.numbers::<2>(), self.bytes.positives::<2>());
@@ -349,7 +372,7 @@ impl Session<'_, '_> {
     }
 
     fn relation(&mut self, joints: usize) -> i32 {
-        let ids = [(); 2].map(|()| self.bytes.id(joints));
+        let ids = [(); 2].map(|()| self.bytes.constant(PDN_FIRST_JOINT, joints));
         let coordinates = [(); 2].map(|()| self.coordinate());
         let coefficients = self.bytes.numbers::<2>();
         let mut arrays = Arrays::default();
@@ -368,10 +391,10 @@ impl Session<'_, '_> {
             signal,
             &mut id,
         ));
-        let kind = self.bytes.constant(PDN_OBJECT_NODE, 6);
+        let kind = self.bytes.constant(PDN_OBJECT_NODE, 11);
         let label = [b'a' + self.bytes.byte() % 4, 0];
         let label = label.as_ptr().cast();
-        let object = self.bytes.id(joints);
+        let object = self.bytes.constant(PDN_FIRST_JOINT, joints);
         call!(pdn_model_set_label(self.model, kind, object, label));
         call!(pdn_model_find_label(self.model, kind, label, &mut id))
     }
@@ -383,13 +406,18 @@ impl Session<'_, '_> {
             call!(pdn_model_set_gravity(self.model, gravity.as_ptr()));
             return;
         }
-        let node = self.bytes.id(nodes);
+        let node = self.bytes.constant(PDN_FIRST_NODE, nodes);
         let frame = self.bytes.constant(PDN_FRAME_SPACE, 2);
         let component = self.bytes.constant(PDN_FORCE_1, 6);
         let mut arrays = Arrays::default();
         let signal = given::signal(self.bytes, &mut arrays);
         call!(pdn_model_add_load(
-            self.model, node, frame, component, &signal
+            self.model,
+            node,
+            frame,
+            component,
+            &signal,
+            null_mut()
         ));
     }
 
@@ -409,10 +437,16 @@ impl Session<'_, '_> {
         }
         for _ in 0..self.bytes.below(3) {
             let number = self.bytes.constant(PDN_NUMBER_STIFFNESS, 8);
-            let index = self.bytes.id(3);
-            let (power, factor) = (self.bytes.id(3), self.bytes.number());
+            let first = match number {
+                PDN_NUMBER_INERTIA => PDN_FIRST_INERTIA,
+                PDN_NUMBER_BEAM_STIFFNESS..=PDN_NUMBER_BEAM_DAMPING => PDN_FIRST_BEAM_ELEMENT,
+                PDN_NUMBER_MASS_DAMPING => 0,
+                _ => PDN_FIRST_FORCE,
+            };
+            let moved = self.bytes.constant(first, 3);
+            let (power, factor) = (self.bytes.index(3), self.bytes.number());
             call!(pdn_model_move_number(
-                model, id, number, index, power, factor
+                model, id, number, moved, power, factor
             ));
         }
         let value = self.bytes.number();
@@ -555,13 +589,21 @@ impl Session<'_, '_> {
         };
         let [nodes, joints, elements, forces] = self.counts();
         let mut quantity = defaults!(pdn_quantity, pdn_quantity_init);
-        let first = 100 * (1 + self.bytes.below(6) as i32);
-        quantity.kind = self.bytes.constant(first, 7);
-        quantity.object = self.bytes.id(nodes.max(joints).max(elements).max(forces));
+        let objects = [
+            (PDN_QUANTITY_POSITION, PDN_FIRST_NODE, nodes),
+            (PDN_QUANTITY_COORDINATE, PDN_FIRST_JOINT, joints),
+            (PDN_QUANTITY_STRAIN, PDN_FIRST_BEAM_ELEMENT, elements),
+            (PDN_QUANTITY_EFFORT, PDN_FIRST_FORCE, forces),
+            (PDN_QUANTITY_SHELL_STRAIN, PDN_FIRST_SHELL_ELEMENT, 4),
+            (PDN_QUANTITY_RELATION_EFFORT, PDN_FIRST_RELATION, 2),
+        ];
+        let (kind, first, count) = objects[self.bytes.below(6)];
+        quantity.kind = self.bytes.constant(kind, 7);
+        quantity.object = self.bytes.constant(first, count);
         if self.bytes.below(2) == 0 {
             quantity.component = match self.bytes.below(2) {
                 0 => self.coordinate(),
-                _ => self.bytes.id(6),
+                _ => self.bytes.index(6),
             };
         }
         quantity.frame = PDN_FRAME_SPACE + self.bytes.below(5) as i32;

@@ -6,5 +6,5 @@ pub mod calls;
 pub mod files;
 mod given;
 pub mod models;
-mod promises;
+pub mod promises;
 pub mod signals;

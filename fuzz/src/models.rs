@@ -75,7 +75,7 @@ fn model(bytes: &mut Bytes) -> periodyn::error::Result<Model> {
         let joint = model.add_joint(kind, from, Some(start), &frame, &frame)?;
         let at = JointCoordinate { joint, coordinate };
         match bytes.rarely(5) {
-            true => model.prescribe(at, &signal(bytes, 0.5))?,
+            true => drop(model.prescribe(at, &signal(bytes, 0.5))?),
             false => {
                 let stiffness = 200.0 * bytes.positive().min(10.0);
                 let damping = 5.0 * bytes.positive().clamp(0.05, 10.0);

@@ -2,9 +2,9 @@
 
 use periodyn::capi::last_error::pdn_last_error;
 use periodyn::capi::status::{PDN_ERR_MEMORY, PDN_OK, pdn_status_name};
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::ffi::CStr;
-use std::sync::OnceLock;
+use std::sync::{Mutex, OnceLock, PoisonError};
 
 const HEADER: &str = include_str!("../../include/periodyn.h");
 
@@ -43,6 +43,16 @@ fn named() -> &'static HashMap<&'static str, HashSet<&'static str>> {
     })
 }
 
+/// Whether any call of each function was taken.
+static TAKEN: Mutex<BTreeMap<String, bool>> = Mutex::new(BTreeMap::new());
+
+/// The functions that refused all their calls.
+pub fn always_refused() -> Vec<String> {
+    let taken = TAKEN.lock().unwrap_or_else(PoisonError::into_inner);
+    let refused = taken.iter().filter(|(_, taken)| !**taken);
+    refused.map(|(name, _)| name.clone()).collect()
+}
+
 /// The message of the last call that failed.
 pub fn last_message() -> String {
     let mut message = [0; 600];
@@ -57,6 +67,9 @@ pub fn last_message() -> String {
 /// Checks what a call gave: PDN_OK, out of memory, or a status that the header names for it, with
 /// a message.
 pub fn check_status(function: &str, status: i32) {
+    let mut all = TAKEN.lock().unwrap_or_else(PoisonError::into_inner);
+    *all.entry(function.to_string()).or_insert(false) |= status == PDN_OK;
+    drop(all);
     if status == PDN_OK {
         return;
     }

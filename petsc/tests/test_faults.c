@@ -56,7 +56,8 @@ int main(int argc, char **argv)
         pdn_signal push;
         PDN_INIT(pdn_signal, &push);
         GOOD(pdn_signal_set_function(&push, force, NULL));
-        GOOD(pdn_model_add_load(model.model, model.node, PDN_FRAME_SPACE, PDN_FORCE_2, &push));
+        GOOD(
+            pdn_model_add_load(model.model, model.node, PDN_FRAME_SPACE, PDN_FORCE_2, &push, NULL));
         /* While each rank looks for a start, when there is one, or in the middle of the solve. */
         start = NULL;
         if (strcmp(fault, "callback_start") != 0) {

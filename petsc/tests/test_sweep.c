@@ -53,7 +53,7 @@ static int32_t oscillator(size_t task, double *results, size_t count, void *user
                                      &spring));
     PDN_INIT(pdn_signal, &push);
     GOOD(pdn_signal_set_harmonics(&push, 0, 0, cosines, sines, 1));
-    GOOD(pdn_model_add_load(model, body, PDN_FRAME_SPACE, PDN_FORCE_1, &push));
+    GOOD(pdn_model_add_load(model, body, PDN_FRAME_SPACE, PDN_FORCE_1, &push, NULL));
     PDN_INIT(pdn_periodic_options, &options);
     options.grid_points = 7;
     GOOD(pdn_solve_periodic(model, 2 * PI / OMEGA, &options, &solution));

@@ -89,6 +89,17 @@ FIRST_RELATION = 600000000
 """Id of the linear relation between joint coordinates that was added first."""
 FIRST_PARAMETER = 700000000
 """Id of the parameter that was added first."""
+FIRST_LOAD = 800000000
+"""Id of the load on a node that was added first."""
+FIRST_BEAM_LOAD = 900000000
+"""Id of the load along beam elements that was added first."""
+FIRST_SHELL_LOAD = 1000000000
+"""Id of the load on shell elements that was added first."""
+FIRST_INERTIA = 1100000000
+"""Id of the inertia that was added first: that of a rigid body, or a mass or inertia on a node.
+"""
+FIRST_PRESCRIBED = 1200000000
+"""Id of the coordinate that was prescribed first."""
 GROUND = -1
 """In place of a node's id: the ground, which does not move."""
 JOINT_RIGID = 1300
@@ -199,17 +210,27 @@ TANGENT_MOTION = 2300
 TANGENT_VELOCITY = 2301
 """Which tangent: derivative by a velocity or rate."""
 OBJECT_NODE = 1000
-"""What has an id: a node, or a rigid body, which is one."""
+"""What has a label: a node, or a rigid body, which is one."""
 OBJECT_JOINT = 1001
-"""What has an id: a joint."""
+"""What has a label: a joint."""
 OBJECT_BEAM_ELEMENT = 1002
-"""What has an id: a beam element."""
+"""What has a label: a beam element."""
 OBJECT_SHELL_ELEMENT = 1003
-"""What has an id: a shell element."""
+"""What has a label: a shell element."""
 OBJECT_FORCE = 1004
-"""What has an id: a force, but not a load."""
+"""What has a label: a force, but not a load."""
 OBJECT_RELATION = 1005
-"""What has an id: a linear relation between joint coordinates."""
+"""What has a label: a linear relation between joint coordinates."""
+OBJECT_LOAD = 1006
+"""What has a label: a load on a node."""
+OBJECT_BEAM_LOAD = 1007
+"""What has a label: a load along beam elements."""
+OBJECT_SHELL_LOAD = 1008
+"""What has a label: a load on shell elements."""
+OBJECT_INERTIA = 1009
+"""What has a label: the inertia of a rigid body, or a mass or inertia on a node."""
+OBJECT_PRESCRIBED = 1010
+"""What has a label: a prescribed coordinate."""
 LABEL_LENGTH = 200
 """Bytes of a label at most, without the NUL."""
 CONVERGED = 2400
@@ -452,8 +473,7 @@ NUMBER_REST = 3602
 effort.
 """
 NUMBER_INERTIA = 3603
-"""A parameter moves a factor of the inertia of a body: of the bodies, masses and inertias that
-were given, in their order.
+"""A parameter moves a factor of an inertia: that of a rigid body, or a mass or inertia on a node.
 """
 NUMBER_BEAM_STIFFNESS = 3604
 """A parameter moves a factor of the sections' stiffness along a beam element."""
@@ -479,19 +499,19 @@ NUMBER_FRAME_RATE = 3613
 Model.set_turning_frame.
 """
 SIGNAL_OF_ACTUATOR = 3700
-"""The signal of an actuator, by its force id."""
+"""The signal of an actuator, a force."""
 SIGNAL_OF_PRESCRIBED = 3701
-"""The signal of a prescribed coordinate, in the order in which they were prescribed."""
+"""The signal of a prescribed coordinate."""
 SIGNAL_OF_LOAD = 3702
-"""The signal of a component of a load on a node, in the order in which these were added."""
+"""The signal of a component of a load on a node."""
 SIGNAL_OF_BEAM_LOAD = 3703
-"""The signal of a component of a load along beams, in the order in which these were added."""
+"""The signal of a component of a load along beam elements."""
 SIGNAL_OF_GRAVITY = 3704
-"""The signal of a component of gravity; its index is 0."""
+"""The signal of a component of gravity."""
 SIGNAL_OF_RELATION = 3705
-"""The signal of a linear relation between joint coordinates, by its id."""
+"""The signal of a linear relation between joint coordinates."""
 SIGNAL_OF_SHELL_LOAD = 3706
-"""The signal of a component of a load on shells, in the order in which these were added."""
+"""The signal of a component of a load on shell elements."""
 PART_MEAN = 3800
 """Part of a signal: the mean that is added to its shape."""
 PART_RATE = 3801
@@ -2448,8 +2468,8 @@ class Model(ModelExtras):
     Any consistent set of units will do (such as metre, newton, kilogram, second); angles are in
     radians.
 
-    Nodes, joints and beam elements are named by ids, each counted from 0 in the order they are
-    made. A call that fails leaves the model as it was.
+    All that is added has an id, in the order in which it was added: nodes from FIRST_NODE on,
+    joints from FIRST_JOINT on, and so on. A call that fails leaves the model as it was.
     """
 
     _free = lib.pdn_model_free
@@ -2538,6 +2558,8 @@ class Model(ModelExtras):
     def add_rigid_body(self, mass, centre, inertia):
         """Adds a rigid body: a node at its centre of mass, with axes parallel to the global ones.
 
+        Its inertia has an id, Model.inertia_of, by which a parameter can move it.
+
         Args:
             mass: mass, positive [mass]
             centre: array of shape (3): centre of mass, global coordinates [length]
@@ -2564,10 +2586,15 @@ class Model(ModelExtras):
             inertia: array of shape (3, 3): moments of inertia about the centre, in global axes,
                 3 x 3, symmetric and positive semi-definite [mass * length^2]; None for a point
                 mass
+
+        Returns:
+            id: id of the inertia
         """
         centre = reals("centre", centre, (3,))
         inertia = reals("inertia", inertia, (3, 3))
-        call(lib.pdn_model_add_mass, self._c, node, mass, pointer(centre), pointer(inertia))
+        id = ffi.new("int32_t *")
+        call(lib.pdn_model_add_mass, self._c, node, mass, pointer(centre), pointer(inertia), id)
+        return id[0]
 
     def add_inertia(self, node, matrix, frame=None):
         """Fixes an inertia of any kind to a node, in addition to what the node has.
@@ -2582,10 +2609,15 @@ class Model(ModelExtras):
             frame: the frame that the matrix is about and resolved in; None for the node's own
             matrix: array of shape (6, 6): 6 x 6, symmetric and positive semi-definite [mass,
                 mass * length, mass * length^2]
+
+        Returns:
+            id: id of the inertia
         """
         frame = of_type("Frame")(frame, self._kept)
         matrix = reals("matrix", matrix, (6, 6), turned=True)
-        call(lib.pdn_model_add_inertia, self._c, node, frame, pointer(matrix))
+        id = ffi.new("int32_t *")
+        call(lib.pdn_model_add_inertia, self._c, node, frame, pointer(matrix), id)
+        return id[0]
 
     def prescribe(self, joint, coordinate, signal):
         """Makes a joint coordinate follow a signal. Each coordinate can be prescribed once.
@@ -2597,9 +2629,14 @@ class Model(ModelExtras):
             coordinate: DISPLACEMENT ... ROTATION_3; one that the joint has
             signal: the coordinate in time [length, or radian], copied; a number, a Signal, or a
                 function of time
+
+        Returns:
+            prescribed: id of the prescribed coordinate
         """
         signal = as_signal(signal, self._kept)
-        call(lib.pdn_model_prescribe, self._c, joint, coordinate, signal)
+        prescribed = ffi.new("int32_t *")
+        call(lib.pdn_model_prescribe, self._c, joint, coordinate, signal, prescribed)
+        return prescribed[0]
 
     def add_rigid_joint(self, first, second, point):
         """Fixes two bodies to each other.
@@ -3180,9 +3217,14 @@ class Model(ModelExtras):
             component: FORCE_1, FORCE_2, FORCE_3 [force], MOMENT_1, MOMENT_2 or MOMENT_3 [force
                 * length]
             signal: the component in time, copied; a number, a Signal, or a function of time
+
+        Returns:
+            load: the load's id
         """
         signal = as_signal(signal, self._kept)
-        call(lib.pdn_model_add_load, self._c, node, frame, component, signal)
+        load = ffi.new("int32_t *")
+        call(lib.pdn_model_add_load, self._c, node, frame, component, signal, load)
+        return load[0]
 
     def set_gravity(self, acceleration):
         """Sets the acceleration of gravity, in place of any set before. Without this call there is
@@ -3249,9 +3291,13 @@ class Model(ModelExtras):
                 if count is 0
             factors: array of shape (count): factors of the signal at these places, linear in
                 between; None if count is 0
+
+        Returns:
+            load: the load's id, a beam load's
         """
         signal = as_signal(signal, self._kept)
         fractions, factors, _count = together(fractions=fractions, factors=factors)
+        load = ffi.new("int32_t *")
         call(
             lib.pdn_model_add_distributed_load,
             self._c,
@@ -3263,7 +3309,9 @@ class Model(ModelExtras):
             pointer(fractions),
             pointer(factors),
             _count,
+            load,
         )
+        return load[0]
 
     def add_load_at_places(self, first_element, elements, frame, fractions, signals, axis_2=None):
         """Adds a force and moment distributed along beam elements, all components at all places at
@@ -3272,7 +3320,7 @@ class Model(ModelExtras):
 
         It acts on the line of the beam, for each unit of its reference length, and moves with
         the sections. It is linear between neighbouring places. However many there are, the beam
-        is evaluated as for one.
+        is evaluated as for one. Each place is a beam load with an id of its own.
 
         Args:
             first_element: id of the first beam element, such as the first_element of a Beam
@@ -3290,11 +3338,15 @@ class Model(ModelExtras):
                 place, FORCE_1 to FORCE_3 [force / length] and MOMENT_1 to MOMENT_3 [force],
                 then those of the next. One that was only initialised is zero; numbers, Signals,
                 or functions of time
+
+        Returns:
+            first_load: id of the beam load at the first place; those at the others follow
         """
         axis_2 = reals("axis_2", axis_2, (3,))
         fractions = reals("fractions", fractions, (None,))
         _count = len(fractions)
         signals = as_signals(signals, (_count, 6), self._kept)
+        first_load = ffi.new("int32_t *")
         call(
             lib.pdn_model_add_load_at_places,
             self._c,
@@ -3305,7 +3357,9 @@ class Model(ModelExtras):
             pointer(fractions),
             signals,
             _count,
+            first_load,
         )
+        return first_load[0]
 
     def set_turning_frame(self, axis, rate, point=None):
         """Describes everything in a frame that turns about a fixed axis at a constant rate, in
@@ -3688,8 +3742,12 @@ class Model(ModelExtras):
             component: FORCE_1, FORCE_2, FORCE_3 [force / length^2, or / length], MOMENT_1,
                 MOMENT_2 or MOMENT_3 [times length]
             signal: the component in time, copied; a number, a Signal, or a function of time
+
+        Returns:
+            load: the load's id, a shell load's
         """
         signal = as_signal(signal, self._kept)
+        load = ffi.new("int32_t *")
         call(
             lib.pdn_model_add_shell_load,
             self._c,
@@ -3699,7 +3757,9 @@ class Model(ModelExtras):
             frame,
             component,
             signal,
+            load,
         )
+        return load[0]
 
     def set_shell_prestress(self, first_element, elements, resultants):
         """Gives shell elements forces and moments where nothing is strained: initial stress, in
@@ -4291,14 +4351,14 @@ class Model(ModelExtras):
         return first_force[0]
 
     def set_label(self, kind, id, label=None):
-        """Gives a node, joint, element, force or relation a label, in place of the one that it
-        has.
+        """Gives a node, joint, element, force, load or the like a label, in place of the one that
+        it has.
 
         Messages and reports name it after its number, as in: joint 3 "crank pin". Labels are
         saved and copied with the model, and solutions keep those that it has when it is solved.
 
         Args:
-            kind: OBJECT_NODE to OBJECT_RELATION
+            kind: OBJECT_NODE to OBJECT_PRESCRIBED
             id: its id
             label: text in UTF-8 of at most LABEL_LENGTH bytes, without quotes (") and control
                 characters, that no other object of this kind has; empty or None to take the
@@ -4307,19 +4367,19 @@ class Model(ModelExtras):
         call(lib.pdn_model_set_label, self._c, kind, id, text(label))
 
     def label(self, kind, id):
-        """The label of a node, joint, element, force or relation.
+        """The label of a node, joint, element, force, load or the like.
 
         Args:
-            kind: OBJECT_NODE to OBJECT_RELATION
+            kind: OBJECT_NODE to OBJECT_PRESCRIBED
             id: its id
         """
         return text.of(lib.pdn_model_label, self._c, kind, id)
 
     def find_label(self, kind, label):
-        """The node, joint, element, force or relation that has a label.
+        """The node, joint, element, force, load or the like that has a label.
 
         Args:
-            kind: OBJECT_NODE to OBJECT_RELATION
+            kind: OBJECT_NODE to OBJECT_PRESCRIBED
             label: the label
 
         Returns:
@@ -4546,36 +4606,80 @@ class Model(ModelExtras):
         call(lib.pdn_model_add_parameter, self._c, text(name), value, scale, out)
         return out[0]
 
-    def move_number(self, parameter, number, index, power, factor):
+    def parameter_count(self):
+        """Number of parameters; their ids follow each other from FIRST_PARAMETER on.
+
+        Returns:
+            count: the number
+        """
+        count = ffi.new("int32_t *")
+        call(lib.pdn_model_parameter_count, self._c, count)
+        return count[0]
+
+    def parameter(self, parameter):
+        """Value and scale of a parameter.
+
+        Args:
+            parameter: id of the parameter
+
+        Returns:
+            value: its value
+            scale: what counts as 1 in it
+        """
+        value = ffi.new("double *")
+        scale = ffi.new("double *")
+        call(lib.pdn_model_parameter, self._c, parameter, value, scale)
+        return value[0], scale[0]
+
+    def parameter_name(self, parameter):
+        """The name of a parameter.
+
+        Args:
+            parameter: id of the parameter
+        """
+        return text.of(lib.pdn_model_parameter_name, self._c, parameter)
+
+    def find_parameter(self, name):
+        """The parameter that has a name.
+
+        Args:
+            name: the name
+
+        Returns:
+            parameter: id of the parameter
+        """
+        parameter = ffi.new("int32_t *")
+        call(lib.pdn_model_find_parameter, self._c, text(name), parameter)
+        return parameter[0]
+
+    def move_number(self, parameter, number, id, power, factor):
         """Lets a parameter move a number of the model: it becomes `factor` times the parameter's
         value, now and whenever that changes.
 
         Args:
             parameter: id of the parameter
             number: NUMBER_STIFFNESS,
-            index: id of the force, the beam element or the shell element; which of the bodies
-                with inertia, from 0 in the order of Model.inertia; 0 for NUMBER_MASS_DAMPING
-                and NUMBER_FRAME_RATE
+            id: id of the force, inertia, beam element or shell element that has it; 0 for
+                NUMBER_MASS_DAMPING and NUMBER_FRAME_RATE, which are of the whole model
             power: power, from 1, of a stiffness or damping; 0 for all else
             factor: the number for a unit of the parameter, not zero
         """
-        call(lib.pdn_model_move_number, self._c, parameter, number, index, power, factor)
+        call(lib.pdn_model_move_number, self._c, parameter, number, id, power, factor)
 
-    def move_signal(self, parameter, place, index, component, part, factor):
+    def move_signal(self, parameter, place, id, component, part, factor):
         """Lets a parameter move a part of a signal: it becomes `factor` times the parameter's
         value, now and whenever that changes.
 
         Args:
             parameter: id of the parameter
             place: what has the signal: SIGNAL_OF_ACTUATOR,
-            index: id of the actuator or the relation; of prescribed coordinates and loads which
-                of them, from 0 in the order in which they were added; 0 for gravity
+            id: its id: of a force, prescribed coordinate, load or relation; 0 for gravity
             component: of a load FORCE_1, ... or MOMENT_3, of gravity from 0 to 2; 0 for all
                 else
             part: PART_MEAN, PART_RATE, PART_AMPLITUDE or PART_PHASE
             factor: the part for a unit of the parameter, not zero
         """
-        call(lib.pdn_model_move_signal, self._c, parameter, place, index, component, part, factor)
+        call(lib.pdn_model_move_signal, self._c, parameter, place, id, component, part, factor)
 
     def set_parameter(self, parameter, value):
         """Gives a parameter another value, and all that it moves.
@@ -4710,7 +4814,8 @@ class Model(ModelExtras):
         return out, twist[0]
 
     def inertia_count(self):
-        """Number of bodies, masses and inertias on nodes.
+        """Number of inertias: bodies, masses and inertias on nodes; their ids follow each other
+        from FIRST_INERTIA on.
 
         Returns:
             count: the number
@@ -4719,12 +4824,11 @@ class Model(ModelExtras):
         call(lib.pdn_model_inertia_count, self._c, count)
         return count[0]
 
-    def inertia(self, index):
-        """A body, mass or inertia on a node, in the order in which they were added, with the
-        factors of parameters.
+    def inertia(self, inertia):
+        """The inertia of a body, or a mass or inertia on a node, with the factors of parameters.
 
         Args:
-            index: which of them, from 0
+            inertia: id of the inertia
 
         Returns:
             node: the node's id
@@ -4733,15 +4837,28 @@ class Model(ModelExtras):
         """
         node = ffi.new("int32_t *")
         matrix = reals.empty((6, 6))
-        call(lib.pdn_model_inertia, self._c, index, node, pointer(matrix))
+        call(lib.pdn_model_inertia, self._c, inertia, node, pointer(matrix))
         return node[0], matrix.swapaxes(-1, -2)
 
-    def prescribed(self, index):
-        """A prescribed coordinate, in the order in which they were prescribed; Model.summary tells
-        how many there are, and Model.sample_signal what they follow.
+    def inertia_of(self, node):
+        """The inertia of a node: of a rigid body its own, of others the one that was added first.
 
         Args:
-            index: which of them, from 0
+            node: id of the node
+
+        Returns:
+            inertia: id of the inertia
+        """
+        inertia = ffi.new("int32_t *")
+        call(lib.pdn_model_inertia_of, self._c, node, inertia)
+        return inertia[0]
+
+    def prescribed(self, prescribed):
+        """A prescribed coordinate; Model.summary tells how many there are, whose ids follow each
+        other from FIRST_PRESCRIBED on, and Model.sample_signal what they follow.
+
+        Args:
+            prescribed: id of the prescribed coordinate
 
         Returns:
             joint: id of its joint
@@ -4749,34 +4866,8 @@ class Model(ModelExtras):
         """
         joint = ffi.new("int32_t *")
         coordinate = ffi.new("int32_t *")
-        call(lib.pdn_model_prescribed, self._c, index, joint, coordinate)
+        call(lib.pdn_model_prescribed, self._c, prescribed, joint, coordinate)
         return joint[0], coordinate[0]
-
-    def load_count(self):
-        """Number of loads on nodes.
-
-        Returns:
-            count: the number
-        """
-        count = ffi.new("int32_t *")
-        call(lib.pdn_model_load_count, self._c, count)
-        return count[0]
-
-    def load_at(self, index):
-        """A load on a node, in the order in which they were added; its components are signals,
-        Model.sample_signal.
-
-        Args:
-            index: which of them, from 0
-
-        Returns:
-            node: the node's id
-            frame: FRAME_SPACE or FRAME_MATERIAL
-        """
-        node = ffi.new("int32_t *")
-        frame = ffi.new("int32_t *")
-        call(lib.pdn_model_load_at, self._c, index, node, frame)
-        return node[0], frame[0]
 
     def relation_term_count(self, relation):
         """Number of coordinates of a linear relation.
@@ -4817,12 +4908,12 @@ class Model(ModelExtras):
         )
         return joint[0], coordinate[0], coefficient[0]
 
-    def sample_signal(self, place, index, component, period, times):
+    def sample_signal(self, place, id, component, period, times):
         """Values of a signal of the model in time.
 
         Args:
             place: what has the signal: SIGNAL_OF_ACTUATOR,
-            index: which of them
+            id: its id, as in Model.move_signal
             component: of a load FORCE_1, ... or MOMENT_3, of gravity from 0 to 2; 0 for all
                 else
             period: period of the motion, that harmonics refer to [time]
@@ -4838,7 +4929,7 @@ class Model(ModelExtras):
             lib.pdn_model_sample_signal,
             self._c,
             place,
-            index,
+            id,
             component,
             period,
             pointer(times),
@@ -4846,6 +4937,118 @@ class Model(ModelExtras):
             pointer(values),
         )
         return values
+
+    def load_count(self):
+        """Number of loads on nodes; their ids follow each other from FIRST_LOAD on.
+
+        Returns:
+            count: the number
+        """
+        count = ffi.new("int32_t *")
+        call(lib.pdn_model_load_count, self._c, count)
+        return count[0]
+
+    def load_at(self, load):
+        """A load on a node; its components are signals, Model.sample_signal.
+
+        Args:
+            load: id of the load
+
+        Returns:
+            node: the node's id
+            frame: FRAME_SPACE or FRAME_MATERIAL
+        """
+        node = ffi.new("int32_t *")
+        frame = ffi.new("int32_t *")
+        call(lib.pdn_model_load_at, self._c, load, node, frame)
+        return node[0], frame[0]
+
+    def beam_load_count(self):
+        """Number of loads along beam elements; their ids follow each other from FIRST_BEAM_LOAD
+        on.
+
+        Returns:
+            count: the number
+        """
+        count = ffi.new("int32_t *")
+        call(lib.pdn_model_beam_load_count, self._c, count)
+        return count[0]
+
+    def beam_load(self, load):
+        """A load along beam elements; its components are signals, Model.sample_signal, times the
+        factors of Model.beam_load_factor.
+
+        Args:
+            load: id of the beam load
+
+        Returns:
+            first_element: id of the first beam element
+            elements: number of elements, from the first on
+            frame: FRAME_SPACE, FRAME_MATERIAL or FRAME_UNTWISTED
+            axis_2, of shape (3): direction that was given with FRAME_UNTWISTED, else zero
+            places: number of places with factors, 0 for a factor of 1 all along
+        """
+        first_element = ffi.new("int32_t *")
+        elements = ffi.new("int32_t *")
+        frame = ffi.new("int32_t *")
+        axis_2 = reals.empty((3,))
+        places = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_beam_load,
+            self._c,
+            load,
+            first_element,
+            elements,
+            frame,
+            pointer(axis_2),
+            places,
+        )
+        return first_element[0], elements[0], frame[0], axis_2, places[0]
+
+    def beam_load_factor(self, load, index):
+        """Factor of a load along beam elements at a place; it is linear in between.
+
+        Args:
+            load: id of the beam load
+            index: which of its places, from 0, in order along the elements
+
+        Returns:
+            fraction: the place, as a fraction of the reference length of its elements
+            factor: the factor there
+        """
+        fraction = ffi.new("double *")
+        factor = ffi.new("double *")
+        call(lib.pdn_model_beam_load_factor, self._c, load, index, fraction, factor)
+        return fraction[0], factor[0]
+
+    def shell_load_count(self):
+        """Number of loads on shell elements; their ids follow each other from FIRST_SHELL_LOAD on.
+
+        Returns:
+            count: the number
+        """
+        count = ffi.new("int32_t *")
+        call(lib.pdn_model_shell_load_count, self._c, count)
+        return count[0]
+
+    def shell_load(self, load):
+        """A load on shell elements; its components are signals, Model.sample_signal.
+
+        Args:
+            load: id of the shell load
+
+        Returns:
+            first_element: id of the first shell element
+            elements: number of elements, from the first on
+            place: SHELL_SURFACE or an edge, of each of them
+            frame: FRAME_SPACE or FRAME_MATERIAL
+        """
+        first_element = ffi.new("int32_t *")
+        elements = ffi.new("int32_t *")
+        place = ffi.new("int32_t *")
+        frame = ffi.new("int32_t *")
+        call(lib.pdn_model_shell_load, self._c, load, first_element, elements, place, frame)
+        return first_element[0], elements[0], place[0], frame[0]
 
     def solve_conditioned(
         self,

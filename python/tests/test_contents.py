@@ -67,9 +67,17 @@ def test_labels_and_contents():
     assert info.kind == pdn.JOINT_PRISMATIC and info.second == body
     assert model.force(spring).stiffness_count == 1
     assert model.force_number(spring, pdn.NUMBER_STIFFNESS, 0) == 4
-    node, matrix = model.inertia(0)
+    node, matrix = model.inertia(model.inertia_of(body))
     assert node == body
     np.testing.assert_array_equal(matrix, np.eye(6))
-    assert model.load_at(0) == (body, pdn.FRAME_SPACE)
-    values = model.sample_signal(pdn.SIGNAL_OF_LOAD, 0, pdn.FORCE_1, 1.0, [0, 0.5])
+    mass = model.add_mass(body, 0.0, [0, 0, 0])
+    assert mass == pdn.FIRST_INERTIA + 1 and model.inertia(mass)[0] == body
+    parameter = model.add_parameter("mass", 1, 1)
+    model.move_number(parameter, pdn.NUMBER_INERTIA, model.inertia_of(body), 0, 1.0)
+    assert model.parameter_name(parameter) == "mass" and model.parameter(parameter) == (1, 1)
+    assert model.find_parameter("mass") == parameter
+    model.set_parameter(parameter, 2)
+    np.testing.assert_array_equal(model.inertia(model.inertia_of(body))[1], 2 * np.eye(6))
+    assert model.load_at(pdn.FIRST_LOAD) == (body, pdn.FRAME_SPACE)
+    values = model.sample_signal(pdn.SIGNAL_OF_LOAD, pdn.FIRST_LOAD, pdn.FORCE_1, 1.0, [0, 0.5])
     np.testing.assert_array_equal(values, [0.5, 0.5])

@@ -43,7 +43,10 @@ def test_a_traction_stretches_a_strip(add):
     # The corner is held already.
     others = model.add_rigid_edge(pdn.GROUND, shell, pdn.SHELL_EDGE_START_XI)
     assert others == (pdn.FIRST_JOINT + 1, 1)
-    model.add_shell_load(SECOND, 1, pdn.SHELL_EDGE_END_XI, pdn.FRAME_SPACE, pdn.FORCE_1, 600.0)
+    load = model.add_shell_load(SECOND, 1, pdn.SHELL_EDGE_END_XI, pdn.FRAME_SPACE, pdn.FORCE_1,
+                                600.0)
+    assert load == pdn.FIRST_SHELL_LOAD
+    assert model.shell_load(load) == (SECOND, 1, pdn.SHELL_EDGE_END_XI, pdn.FRAME_SPACE)
     solution = model.solve_static()
     assert solution.converged
     tip = model.shell_node(SECOND, 2, 0)

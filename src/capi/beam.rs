@@ -114,9 +114,8 @@ fn add_meshed(
     add: impl FnOnce(&mut Model) -> Result<BeamIds>,
 ) -> Result<pdn_beam> {
     Model::require_mesh(elements, degree)?;
-    let first = Kind::Node.next(model.node_count(), elements * degree + 1, "elements")?;
-    let there = model.beam_element_count();
-    let first_element = Kind::BeamElement.next(there, elements, "elements")?;
+    let first = Kind::Node.next(model, elements * degree + 1, "elements")?;
+    let first_element = Kind::BeamElement.next(model, elements, "elements")?;
     let ids = add(model)?;
     // In range, as was found out.
     Ok(pdn_beam {
@@ -181,7 +180,7 @@ pub unsafe extern "C" fn pdn_model_add_beam_element(
         let nodes = model::nodes(call, &model, (nodes, count), "nodes")?;
         let section = section::read(call, section, "section")?;
         let element = call.out(element, "element")?;
-        let id = Kind::BeamElement.next(model.beam_element_count(), 1, "element")?;
+        let id = Kind::BeamElement.next(&model, 1, "element")?;
         model.add_beam_element(&nodes, &section)?;
         element.set(id);
         Ok(())

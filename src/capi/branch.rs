@@ -752,7 +752,7 @@ pub unsafe extern "C" fn pdn_branch_write_campbell(
         let blades = call.slice(blades, count, "blades")?.iter().enumerate();
         let blades = blades.map(|(k, &node)| {
             let name = format!("blades[{k}]");
-            Kind::Node.index_below(node, total, &name, "a node id")
+            Kind::Node.index_below(node, total, &name)
         });
         let blades = blades.collect::<Result<Vec<_>>>()?;
         branch.write_campbell(Path::new(call.text(path, "path")?), &options, &blades)

@@ -1,8 +1,8 @@
 //! Bushings and bearings.
 
 use super::call::Call;
-use super::force::add_force;
-use super::model::{body, choose, motion, pdn_frame, pdn_model};
+use super::id::Kind;
+use super::model::{add_object, body, choose, motion, pdn_frame, pdn_model};
 use super::status::pdn_status;
 use crate::elements::BushingAngles;
 use crate::model::Model;
@@ -82,5 +82,5 @@ pub unsafe extern "C" fn pdn_model_add_bushing(
                (bodies, [first, second], [k, c], angles): (_, [_; 2], [_; 2], _)| {
         model.add_bushing(bodies, [&first, &second], [&k, &c], angles)
     };
-    add_force(model, force, read, add)
+    add_object(model, Kind::Force, (force, "force"), read, add)
 }

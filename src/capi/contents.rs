@@ -4,7 +4,6 @@ use super::bushing::angles_code;
 use super::guard::{guard, init};
 use super::id::Kind;
 use super::joint::{coordinate_code, joint_code};
-use super::load::{PDN_FRAME_MATERIAL, PDN_FRAME_SPACE};
 use super::model::{
     PDN_GROUND, beam_element, choose, count, force, joint, number, pdn_frame, pdn_model,
 };
@@ -13,8 +12,8 @@ use super::parameter::{PDN_NUMBER_DAMPING, PDN_NUMBER_STIFFNESS, signal_place};
 use super::section::pdn_section;
 use super::shell::place_code;
 use super::status::pdn_status;
-use crate::elements::{Attachment, JointKind, LoadFrame};
-use crate::error::Result;
+use crate::elements::{Attachment, JointKind};
+use crate::error::{Error, ErrorKind, Result};
 use crate::model::{ForceDefinition, ForceNumber, Model};
 
 /// Kind of force: springs and dampers on a joint coordinate.
@@ -415,7 +414,8 @@ pub unsafe extern "C" fn pdn_model_beam_section(
     })
 }
 
-/// Number of bodies, masses and inertias on nodes.
+/// Number of inertias: bodies, masses and inertias on nodes; their ids follow each other from
+/// PDN_FIRST_INERTIA on.
 ///
 /// @param model  the model; not NULL
 /// @param count  the number; written on success only
@@ -428,14 +428,13 @@ pub unsafe extern "C" fn pdn_model_inertia_count(
     model: *const pdn_model,
     count: *mut i32,
 ) -> pdn_status {
-    self::count(model, count, |model| model.inertias().count())
+    self::count(model, count, |model| model.object_count(Kind::Inertia))
 }
 
-/// A body, mass or inertia on a node, in the order in which they were added, with the factors of
-/// parameters.
+/// The inertia of a body, or a mass or inertia on a node, with the factors of parameters.
 ///
 /// @param model  the model; not NULL
-/// @param index  which of them, from 0
+/// @param inertia  id of the inertia
 /// @param node  the node's id; written on success only
 /// @param matrix  array of length 36: 6 x 6 inertia about the node, along its axes, as in
 ///     ::pdn_model_add_inertia; written on success only
@@ -446,28 +445,57 @@ pub unsafe extern "C" fn pdn_model_inertia_count(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn pdn_model_inertia(
     model: *const pdn_model,
-    index: i32,
+    inertia: i32,
     node: *mut i32,
     matrix: *mut f64,
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let all: Vec<_> = model.inertias().collect();
-        let place = number(index, all.len(), "index", "an inertia")?;
+        let index = Kind::Inertia.index_in(&model, inertia, "inertia")?;
         let node_out = call.out(node, "node")?;
         let matrix_out = call.out_slice(matrix, 36, 36, "matrix")?;
-        let (node, inertia) = &all[place];
-        node_out.set(Kind::Node.id(*node));
-        matrix_out.set(inertia.as_slice());
+        if let Some((node, inertia)) = model.inertias().nth(index) {
+            node_out.set(Kind::Node.id(node));
+            matrix_out.set(inertia.as_slice());
+        }
         Ok(())
     })
 }
 
-/// A prescribed coordinate, in the order in which they were prescribed; ::pdn_model_summary tells
-/// how many there are, and ::pdn_model_sample_signal what they follow.
+/// The inertia of a node: of a rigid body its own, of others the one that was added first.
 ///
 /// @param model  the model; not NULL
-/// @param index  which of them, from 0
+/// @param node  id of the node
+/// @param inertia  id of the inertia; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_NOT_AVAILABLE (the node has none)
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_inertia_of(
+    model: *const pdn_model,
+    node: i32,
+    inertia: *mut i32,
+) -> pdn_status {
+    guard(|call| {
+        let model = call.shared(model, "model")?;
+        let node = Kind::Node.index_in(&model, node, "node")?;
+        let out = call.out(inertia, "inertia")?;
+        let found = model.inertias().position(|(other, _)| other == node);
+        let found = found.ok_or_else(|| {
+            let message = format!("node: expected one that has inertia, got node {node}");
+            Error::new(ErrorKind::NotAvailable, message)
+        })?;
+        out.set(Kind::Inertia.id(found));
+        Ok(())
+    })
+}
+
+/// A prescribed coordinate; ::pdn_model_summary tells how many there are, whose ids follow each
+/// other from PDN_FIRST_PRESCRIBED on, and ::pdn_model_sample_signal what they follow.
+///
+/// @param model  the model; not NULL
+/// @param prescribed  id of the prescribed coordinate
 /// @param joint  id of its joint; written on success only
 /// @param coordinate  PDN_DISPLACEMENT, ...; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
@@ -477,68 +505,18 @@ pub unsafe extern "C" fn pdn_model_inertia(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn pdn_model_prescribed(
     model: *const pdn_model,
-    index: i32,
+    prescribed: i32,
     joint: *mut i32,
     coordinate: *mut i32,
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let all = model.prescribed();
-        let place = number(index, all.len(), "index", "a prescribed coordinate")?;
+        let index = Kind::Prescribed.index_in(&model, prescribed, "prescribed")?;
         let joint_out = call.out(joint, "joint")?;
         let coordinate_out = call.out(coordinate, "coordinate")?;
-        let (at, _) = &all[place];
+        let (at, _) = &model.prescribed()[index];
         joint_out.set(Kind::Joint.id(at.joint));
         coordinate_out.set(coordinate_code(at.coordinate));
-        Ok(())
-    })
-}
-
-/// Number of loads on nodes.
-///
-/// @param model  the model; not NULL
-/// @param count  the number; written on success only
-/// @return PDN_OK, PDN_ERR_NULL
-///
-/// Threads: `model` is `const`.
-/// @since 0.1
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn pdn_model_load_count(
-    model: *const pdn_model,
-    count: *mut i32,
-) -> pdn_status {
-    self::count(model, count, |model| model.loads().len())
-}
-
-/// A load on a node, in the order in which they were added; its components are signals,
-/// ::pdn_model_sample_signal.
-///
-/// @param model  the model; not NULL
-/// @param index  which of them, from 0
-/// @param node  the node's id; written on success only
-/// @param frame  PDN_FRAME_SPACE or PDN_FRAME_MATERIAL; written on success only
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
-///
-/// Threads: `model` is `const`.
-/// @since 0.1
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn pdn_model_load_at(
-    model: *const pdn_model,
-    index: i32,
-    node: *mut i32,
-    frame: *mut i32,
-) -> pdn_status {
-    guard(|call| {
-        let model = call.shared(model, "model")?;
-        let all = model.loads();
-        let place = number(index, all.len(), "index", "a load")?;
-        let node_out = call.out(node, "node")?;
-        let frame_out = call.out(frame, "frame")?;
-        node_out.set(Kind::Node.id(all[place].node));
-        frame_out.set(match all[place].frame {
-            LoadFrame::Space => PDN_FRAME_SPACE,
-            LoadFrame::Follower => PDN_FRAME_MATERIAL,
-        });
         Ok(())
     })
 }
@@ -568,7 +546,7 @@ pub unsafe extern "C" fn pdn_model_relation_term_count(
 }
 
 fn relation(model: &Model, id: i32) -> Result<usize> {
-    Kind::Relation.index_below(id, model.relation_count(), "relation", "a relation id")
+    Kind::Relation.index_in(model, id, "relation")
 }
 
 /// A coordinate of a linear relation, and its coefficient.
@@ -612,15 +590,15 @@ pub unsafe extern "C" fn pdn_model_relation_term(
 ///
 /// @param model  the model; not NULL
 /// @param place  what has the signal: PDN_SIGNAL_OF_ACTUATOR, ...
-/// @param index  which of them
+/// @param id  its id, as in ::pdn_model_move_signal
 /// @param component  of a load PDN_FORCE_1, ... or PDN_MOMENT_3, of gravity from 0 to 2; 0 for all
 ///     else
 /// @param period  period of the motion, that harmonics refer to [time]
 /// @param times  array of length [count]: times
 /// @param count  number of times
 /// @param values  array of length [count]: the values there; written on success only
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE,
-///     PDN_ERR_NOT_AVAILABLE (there is no such signal), PDN_ERR_CALLBACK
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
+///     PDN_ERR_NOT_AVAILABLE (it has no such signal), PDN_ERR_CALLBACK
 ///
 /// Threads: `model` is `const`. Signals' functions are called on this thread.
 /// @since 0.1
@@ -628,7 +606,7 @@ pub unsafe extern "C" fn pdn_model_relation_term(
 pub unsafe extern "C" fn pdn_model_sample_signal(
     model: *const pdn_model,
     place: i32,
-    index: i32,
+    id: i32,
     component: i32,
     period: f64,
     times: *const f64,
@@ -637,7 +615,7 @@ pub unsafe extern "C" fn pdn_model_sample_signal(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let place = signal_place(place, index, component)?;
+        let place = signal_place(&model, place, id, component)?;
         let period = call.number(period, "period")?;
         let times = call.numbers(times, count, "times")?;
         let out = call.out_slice(values, count, count, "values")?;

@@ -3,11 +3,10 @@
 
 use super::call::Call;
 use super::callback::Callback;
-use super::force::add_force;
 use super::guard::guard;
 use super::id::Kind;
 use super::joint::{coordinate, coordinate_code};
-use super::model::{force, joint, number, pdn_model};
+use super::model::{add_object, force, joint, number, pdn_model};
 use super::status::pdn_status;
 use super::user_force::{gives_tangents, pdn_destroy_fn};
 use crate::elements::{ControllerInput, ControllerLaw, ControllerOutput, ControllerState};
@@ -260,9 +259,10 @@ pub unsafe extern "C" fn pdn_model_add_controller(
         let function = call.function(function, "function")?;
         Ok((inputs, outputs, states, gives_tangents, function))
     };
-    add_force(
+    add_object(
         model,
-        force,
+        Kind::Force,
+        (force, "force"),
         read,
         |model, (inputs, outputs, states, gives_tangents, function)| {
             let law = law(function, gives_tangents, user_data, destroy);

@@ -4,10 +4,9 @@
 //! All forces of a model, those of the user too, are numbered together.
 
 use super::call::Call;
-use super::guard::guard;
 use super::id::Kind;
 use super::joint::joint_coordinate;
-use super::model::{body, motion, pdn_frame, pdn_model};
+use super::model::{add_object, body, motion, pdn_frame, pdn_model};
 use super::signal::{self, pdn_signal};
 use super::status::pdn_status;
 use crate::elements::MaxwellBranch;
@@ -32,26 +31,6 @@ pub unsafe extern "C" fn pdn_model_force_count(
     super::model::count(model, count, Model::force_count)
 }
 
-/// Body of a function that adds a force, which `add` makes of what it reads.
-pub(super) fn add_force<T>(
-    model: *mut pdn_model,
-    force: *mut i32,
-    read: impl FnOnce(&Call, &Model) -> Result<T>,
-    add: impl FnOnce(&mut Model, T) -> Result<usize>,
-) -> pdn_status {
-    guard(|call| {
-        let mut model = call.exclusive(model, "model")?;
-        let given = read(call, &model)?;
-        let out = call.out_optional(force, "force")?;
-        let id = Kind::Force.next(model.force_count(), 1, "force")?;
-        add(&mut model, given)?;
-        if let Some(out) = out {
-            out.set(id);
-        }
-        Ok(())
-    })
-}
-
 /// Body of a function that adds a force on a joint coordinate.
 fn add_on_coordinate<T>(
     model: *mut pdn_model,
@@ -61,9 +40,10 @@ fn add_on_coordinate<T>(
     read: impl FnOnce(&Call) -> Result<T>,
     add: impl FnOnce(&mut Model, JointCoordinate, T) -> Result<usize>,
 ) -> pdn_status {
-    add_force(
+    add_object(
         model,
-        force,
+        Kind::Force,
+        (force, "force"),
         |call, model| Ok((joint_coordinate(model, joint, coordinate)?, read(call)?)),
         |model, (at, given)| add(model, at, given),
     )
@@ -286,9 +266,10 @@ pub unsafe extern "C" fn pdn_model_add_viscous_damper(
         let matrix = Matrix6::from_column_slice(&call.array::<36>(matrix, "matrix")?);
         Ok((first, second, frame, matrix))
     };
-    add_force(
+    add_object(
         model,
-        force,
+        Kind::Force,
+        (force, "force"),
         read,
         |model, (first, second, frame, matrix)| {
             model.add_viscous_damper(first, second, frame.as_ref(), &matrix)

@@ -3,6 +3,8 @@
 //! number that is none, is refused.
 
 use crate::error::{Error, ErrorKind, Result};
+use crate::model::Model;
+pub(super) use crate::model::ObjectKind as Kind;
 
 /// Id of the node that was added first, or of the rigid body, which is one.
 ///
@@ -21,51 +23,59 @@ pub const PDN_FIRST_FORCE: i32 = 500000000;
 pub const PDN_FIRST_RELATION: i32 = 600000000;
 /// Id of the parameter that was added first.
 pub const PDN_FIRST_PARAMETER: i32 = 700000000;
+/// Id of the load on a node that was added first.
+pub const PDN_FIRST_LOAD: i32 = 800000000;
+/// Id of the load along beam elements that was added first.
+pub const PDN_FIRST_BEAM_LOAD: i32 = 900000000;
+/// Id of the load on shell elements that was added first.
+pub const PDN_FIRST_SHELL_LOAD: i32 = 1000000000;
+/// Id of the inertia that was added first: that of a rigid body, or a mass or inertia on a node.
+pub const PDN_FIRST_INERTIA: i32 = 1100000000;
+/// Id of the coordinate that was prescribed first.
+pub const PDN_FIRST_PRESCRIBED: i32 = 1200000000;
 
 /// Most things of a kind.
 const MOST: i32 = 100_000_000;
 
-/// What has ids.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kind {
-    Node,
-    Joint,
-    BeamElement,
-    ShellElement,
-    Force,
-    Relation,
-    Parameter,
-}
-
-/// All kinds, the first id of each, and what it is called.
-const KINDS: [(Kind, i32, &str); 7] = [
-    (Kind::Node, PDN_FIRST_NODE, "node"),
-    (Kind::Joint, PDN_FIRST_JOINT, "joint"),
-    (Kind::BeamElement, PDN_FIRST_BEAM_ELEMENT, "beam element"),
-    (Kind::ShellElement, PDN_FIRST_SHELL_ELEMENT, "shell element"),
-    (Kind::Force, PDN_FIRST_FORCE, "force"),
-    (Kind::Relation, PDN_FIRST_RELATION, "relation"),
-    (Kind::Parameter, PDN_FIRST_PARAMETER, "parameter"),
-];
-
+/// Ids of a kind.
 impl Kind {
-    fn row(self) -> &'static (Kind, i32, &'static str) {
-        &KINDS[self as usize]
+    /// The id of the first.
+    fn first(self) -> i32 {
+        match self {
+            Kind::Node => PDN_FIRST_NODE,
+            Kind::Joint => PDN_FIRST_JOINT,
+            Kind::BeamElement => PDN_FIRST_BEAM_ELEMENT,
+            Kind::ShellElement => PDN_FIRST_SHELL_ELEMENT,
+            Kind::Force => PDN_FIRST_FORCE,
+            Kind::Relation => PDN_FIRST_RELATION,
+            Kind::Parameter => PDN_FIRST_PARAMETER,
+            Kind::Load => PDN_FIRST_LOAD,
+            Kind::BeamLoad => PDN_FIRST_BEAM_LOAD,
+            Kind::ShellLoad => PDN_FIRST_SHELL_LOAD,
+            Kind::Inertia => PDN_FIRST_INERTIA,
+            Kind::Prescribed => PDN_FIRST_PRESCRIBED,
+        }
     }
 
     /// What messages call an id of this kind.
-    pub fn expected(self) -> String {
-        format!("a {} id", self.row().2)
+    fn expected(self) -> String {
+        let noun = self.noun();
+        let article = match noun.starts_with('i') {
+            true => "an",
+            false => "a",
+        };
+        format!("{article} {noun} id")
     }
 
     /// The id of the thing with this index, of which there is one.
-    pub fn id(self, index: usize) -> i32 {
+    pub(super) fn id(self, index: usize) -> i32 {
         // No more are made than `next` allows.
-        self.row().1 + index as i32
+        self.first() + index as i32
     }
 
-    /// The id that the next of `count` things gets; `more` of them are to be made.
-    pub fn next(self, count: usize, more: usize, name: &str) -> Result<i32> {
+    /// The id that the next of its kind gets in a model; `more` are to be made.
+    pub(super) fn next(self, model: &Model, more: usize, name: &str) -> Result<i32> {
+        let count = model.object_count(self);
         let total = count.saturating_add(more);
         if total > MOST as usize {
             let expected = format!("at most {MOST} in a model");
@@ -75,41 +85,49 @@ impl Kind {
     }
 
     /// The index of the thing with this id, in whatever model.
-    pub fn index(self, id: i32, name: &str) -> Result<usize> {
+    pub(super) fn index(self, id: i32, name: &str) -> Result<usize> {
         self.read(id).ok_or_else(|| {
+            let (first, expected) = (self.first(), self.expected());
             let got = describe(id);
-            let first = self.row().1;
-            let message = format!(
-                "{name}: expected {} ({first} for the first), got {got}",
-                self.expected()
-            );
+            let message = format!("{name}: expected {expected} ({first} for the first), got {got}");
             Error::new(ErrorKind::Identifier, message)
         })
     }
 
-    /// The index of the thing with this id, of `count`; `expected` tells what it may be.
-    pub fn index_below(self, id: i32, count: usize, name: &str, expected: &str) -> Result<usize> {
+    /// The index of the thing with this id in a model.
+    pub(super) fn index_in(self, model: &Model, id: i32, name: &str) -> Result<usize> {
+        self.index_below(id, model.object_count(self), name)
+    }
+
+    /// The index of the thing with this id, of `count`.
+    pub(super) fn index_below(self, id: i32, count: usize, name: &str) -> Result<usize> {
+        self.index_or("", id, count, name)
+    }
+
+    /// The same, where something else would do, that a message names before.
+    pub(super) fn index_or(self, other: &str, id: i32, count: usize, name: &str) -> Result<usize> {
         self.read(id).filter(|&index| index < count).ok_or_else(|| {
             let limit = match count {
                 0 => "though there is none yet".to_owned(),
                 n => format!("from {} to {}", self.id(0), self.id(n - 1)),
             };
-            let message = format!("{name}: expected {expected} {limit}, got {}", describe(id));
+            let (expected, got) = (self.expected(), describe(id));
+            let message = format!("{name}: expected {other}{expected} {limit}, got {got}");
             Error::new(ErrorKind::Identifier, message)
         })
     }
 
     fn read(self, id: i32) -> Option<usize> {
-        let index = id.checked_sub(self.row().1)?;
+        let index = id.checked_sub(self.first())?;
         (0..MOST).contains(&index).then_some(index as usize)
     }
 }
 
 /// An id, and what it would name.
 fn describe(id: i32) -> String {
-    let named = KINDS.iter().find_map(|(kind, _, what)| {
+    let named = Kind::ALL.into_iter().find_map(|kind| {
         let index = kind.read(id)?;
-        Some(format!("{id}, which is the id of {what} {index}"))
+        Some(format!("{id}, which is the id of {kind} {index}"))
     });
     named.unwrap_or_else(|| id.to_string())
 }
@@ -119,34 +137,41 @@ mod tests {
     use super::*;
 
     #[test]
-    fn kinds_are_in_order_and_their_ids_are_apart() {
-        for (number, (kind, first, _)) in KINDS.iter().enumerate() {
-            assert_eq!((*kind as usize, kind.id(0)), (number, *first));
-            let last = kind.id(MOST as usize - 1);
-            for (other, ..) in KINDS {
-                for (id, index) in [(*first, 0), (last, MOST as usize - 1)] {
-                    let expected = (other == *kind).then_some(index);
+    fn ids_of_kinds_are_apart() {
+        for kind in Kind::ALL {
+            let (first, last) = (kind.id(0), kind.id(MOST as usize - 1));
+            for other in Kind::ALL {
+                for (id, index) in [(first, 0), (last, MOST as usize - 1)] {
+                    let expected = (other == kind).then_some(index);
                     assert_eq!(other.index(id, "id").ok(), expected);
                 }
             }
         }
-        for none in [i32::MIN, -1, 0, 99_999_999, 800_000_000, i32::MAX] {
-            assert!(KINDS.iter().all(|(kind, ..)| kind.read(none).is_none()));
+        for none in [i32::MIN, -1, 0, 99_999_999, 1_300_000_000, i32::MAX] {
+            assert!(Kind::ALL.iter().all(|kind| kind.read(none).is_none()));
         }
     }
 
     #[test]
     fn messages_name_what_came() {
-        let message = |id| {
-            Kind::Node
-                .index_below(id, 3, "node", "a node id")
-                .unwrap_err()
-        };
-        let expected = "node: expected a node id from 100000000 to 100000002, got ";
+        let message = |kind: Kind, id| kind.index_below(id, 3, "it").unwrap_err().to_string();
+        let expected = "it: expected a node id from 100000000 to 100000002, got ";
         let got = format!("{expected}200000001, which is the id of joint 1");
-        assert_eq!(message(200_000_001).to_string(), got);
-        assert_eq!(message(3).to_string(), format!("{expected}3"));
-        assert!(Kind::Node.next(0, MOST as usize, "node").is_ok());
-        assert!(Kind::Node.next(1, MOST as usize, "node").is_err());
+        assert_eq!(message(Kind::Node, 200_000_001), got);
+        assert_eq!(message(Kind::Node, 3), format!("{expected}3"));
+        let expected = "it: expected an inertia id from 1100000000 to 1100000002, got ";
+        let got = format!("{expected}900000002, which is the id of beam load 2");
+        assert_eq!(message(Kind::Inertia, 900_000_002), got);
+    }
+
+    #[test]
+    fn no_more_are_made_than_ids_can_name() {
+        let model = Model::new();
+        let most = MOST as usize;
+        assert_eq!(
+            Kind::Prescribed.next(&model, most, "it").unwrap(),
+            PDN_FIRST_PRESCRIBED
+        );
+        assert!(Kind::Prescribed.next(&model, most + 1, "it").is_err());
     }
 }

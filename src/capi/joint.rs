@@ -4,12 +4,12 @@ use super::call::Call;
 use super::guard::guard;
 use super::handle::Exclusive;
 use super::id::Kind;
-use super::model::{body, choose, motion, pdn_frame, pdn_model, vector};
+use super::model::{add_object, body, choose, motion, pdn_frame, pdn_model, vector};
 use super::signal::{self, pdn_signal};
 use super::status::pdn_status;
 use crate::elements::{Coordinate, JointKind};
 use crate::error::Result;
-use crate::model::{JointCoordinate, Model};
+use crate::model::{JointCoordinate, Model, Signal};
 use crate::motion::Motion;
 use nalgebra::Matrix3;
 
@@ -131,7 +131,7 @@ fn add_joint(
         let second = body(&model, bodies.second, "second")?;
         let (kind, first_frame, second_frame) = frames(call)?;
         let joint = call.out(joint, "joint")?;
-        let id = Kind::Joint.next(model.joint_count(), 1, "joint")?;
+        let id = Kind::Joint.next(&model, 1, "joint")?;
         model.add_joint(kind, first, second, &first_frame, &second_frame)?;
         joint.set(id);
         Ok(())
@@ -165,6 +165,8 @@ pub(super) fn joint_coordinate(
 /// @param joint  id of the joint
 /// @param coordinate  PDN_DISPLACEMENT ... PDN_ROTATION_3; one that the joint has
 /// @param signal  the coordinate in time [length, or radian], copied; not NULL
+/// @param prescribed  id of the prescribed coordinate; may be NULL if it is not wanted; written on
+///     success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
 ///     PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_AVAILABLE
 ///
@@ -176,13 +178,20 @@ pub unsafe extern "C" fn pdn_model_prescribe(
     joint: i32,
     coordinate: i32,
     signal: *const pdn_signal,
+    prescribed: *mut i32,
 ) -> pdn_status {
-    guard(|call| {
-        let mut model = call.exclusive(model, "model")?;
-        let at = joint_coordinate(&model, joint, coordinate)?;
-        let signal = signal::read(call, signal, "signal")?;
-        model.prescribe(at, &signal)
-    })
+    let read = |call: &Call, model: &Model| {
+        let at = joint_coordinate(model, joint, coordinate)?;
+        Ok((at, signal::read(call, signal, "signal")?))
+    };
+    let add = |model: &mut Model, (at, signal): (_, Signal)| model.prescribe(at, &signal);
+    add_object(
+        model,
+        Kind::Prescribed,
+        (prescribed, "prescribed"),
+        read,
+        add,
+    )
 }
 
 /// Fixes two bodies to each other.
@@ -513,7 +522,7 @@ pub unsafe extern "C" fn pdn_model_add_strut(
         let first_point = vector(call, first_point, "first_point")?;
         let second_point = vector(call, second_point, "second_point")?;
         let joint = call.out(joint, "joint")?;
-        let id = Kind::Joint.next(model.joint_count(), 1, "joint")?;
+        let id = Kind::Joint.next(&model, 1, "joint")?;
         model.add_strut(first, second, &first_point, &second_point)?;
         joint.set(id);
         Ok(())

@@ -1,4 +1,4 @@
-//! Labels of nodes, joints, elements, forces and relations.
+//! Labels of what a model is made of.
 
 use super::guard::{guard, guard_or};
 use super::id::Kind;
@@ -6,65 +6,68 @@ use super::last_error::copy_message;
 use super::model::{choose, pdn_model};
 use super::status::pdn_status;
 use crate::error::{Error, ErrorKind, Result};
-use crate::model::{Model, ObjectKind};
+use crate::model::Model;
 use libc::c_char;
 
-/// What has an id: a node, or a rigid body, which is one.
+/// What has a label: a node, or a rigid body, which is one.
 pub const PDN_OBJECT_NODE: i32 = 1000;
-/// What has an id: a joint.
+/// What has a label: a joint.
 pub const PDN_OBJECT_JOINT: i32 = 1001;
-/// What has an id: a beam element.
+/// What has a label: a beam element.
 pub const PDN_OBJECT_BEAM_ELEMENT: i32 = 1002;
-/// What has an id: a shell element.
+/// What has a label: a shell element.
 pub const PDN_OBJECT_SHELL_ELEMENT: i32 = 1003;
-/// What has an id: a force, but not a load.
+/// What has a label: a force, but not a load.
 pub const PDN_OBJECT_FORCE: i32 = 1004;
-/// What has an id: a linear relation between joint coordinates.
+/// What has a label: a linear relation between joint coordinates.
 pub const PDN_OBJECT_RELATION: i32 = 1005;
+/// What has a label: a load on a node.
+pub const PDN_OBJECT_LOAD: i32 = 1006;
+/// What has a label: a load along beam elements.
+pub const PDN_OBJECT_BEAM_LOAD: i32 = 1007;
+/// What has a label: a load on shell elements.
+pub const PDN_OBJECT_SHELL_LOAD: i32 = 1008;
+/// What has a label: the inertia of a rigid body, or a mass or inertia on a node.
+pub const PDN_OBJECT_INERTIA: i32 = 1009;
+/// What has a label: a prescribed coordinate.
+pub const PDN_OBJECT_PRESCRIBED: i32 = 1010;
 
 /// Bytes of a label at most, without the NUL.
 pub const PDN_LABEL_LENGTH: i32 = 200;
 
 const _: () = assert!(PDN_LABEL_LENGTH as usize == crate::model::LONGEST_LABEL);
 
-fn object_kind(given: i32) -> Result<(ObjectKind, Kind)> {
+fn object_kind(given: i32) -> Result<Kind> {
     let table = [
-        (PDN_OBJECT_NODE, (ObjectKind::Node, Kind::Node)),
-        (PDN_OBJECT_JOINT, (ObjectKind::Joint, Kind::Joint)),
-        (
-            PDN_OBJECT_BEAM_ELEMENT,
-            (ObjectKind::BeamElement, Kind::BeamElement),
-        ),
-        (
-            PDN_OBJECT_SHELL_ELEMENT,
-            (ObjectKind::ShellElement, Kind::ShellElement),
-        ),
-        (PDN_OBJECT_FORCE, (ObjectKind::Force, Kind::Force)),
-        (PDN_OBJECT_RELATION, (ObjectKind::Relation, Kind::Relation)),
+        (PDN_OBJECT_NODE, Kind::Node),
+        (PDN_OBJECT_JOINT, Kind::Joint),
+        (PDN_OBJECT_BEAM_ELEMENT, Kind::BeamElement),
+        (PDN_OBJECT_SHELL_ELEMENT, Kind::ShellElement),
+        (PDN_OBJECT_FORCE, Kind::Force),
+        (PDN_OBJECT_RELATION, Kind::Relation),
+        (PDN_OBJECT_LOAD, Kind::Load),
+        (PDN_OBJECT_BEAM_LOAD, Kind::BeamLoad),
+        (PDN_OBJECT_SHELL_LOAD, Kind::ShellLoad),
+        (PDN_OBJECT_INERTIA, Kind::Inertia),
+        (PDN_OBJECT_PRESCRIBED, Kind::Prescribed),
     ];
-    choose(
-        &table,
-        given,
-        "kind",
-        "PDN_OBJECT_NODE to PDN_OBJECT_RELATION",
-    )
+    let expected = "PDN_OBJECT_NODE to PDN_OBJECT_PRESCRIBED";
+    choose(&table, given, "kind", expected)
 }
 
 /// What a kind and an id name.
-fn object(model: &Model, kind: i32, id: i32) -> Result<(ObjectKind, usize)> {
-    let (object, kind) = object_kind(kind)?;
-    let count = model.object_count(object);
-    let index = kind.index_below(id, count, "id", &kind.expected())?;
-    Ok((object, index))
+fn object(model: &Model, kind: i32, id: i32) -> Result<(Kind, usize)> {
+    let kind = object_kind(kind)?;
+    Ok((kind, kind.index_in(model, id, "id")?))
 }
 
-/// Gives a node, joint, element, force or relation a label, in place of the one that it has.
+/// Gives a node, joint, element, force, load or the like a label, in place of the one that it has.
 ///
 /// Messages and reports name it after its number, as in: joint 3 "crank pin". Labels are saved and
 /// copied with the model, and solutions keep those that it has when it is solved.
 ///
 /// @param model  the model; not NULL
-/// @param kind  PDN_OBJECT_NODE to PDN_OBJECT_RELATION
+/// @param kind  PDN_OBJECT_NODE to PDN_OBJECT_PRESCRIBED
 /// @param id  its id
 /// @param label  text in UTF-8 of at most PDN_LABEL_LENGTH bytes, without quotes (") and control
 ///     characters, that no other object of this kind has; empty or NULL to take the label away
@@ -90,10 +93,10 @@ pub unsafe extern "C" fn pdn_model_set_label(
     })
 }
 
-/// The label of a node, joint, element, force or relation.
+/// The label of a node, joint, element, force, load or the like.
 ///
 /// @param model  the model; not NULL
-/// @param kind  PDN_OBJECT_NODE to PDN_OBJECT_RELATION
+/// @param kind  PDN_OBJECT_NODE to PDN_OBJECT_PRESCRIBED
 /// @param id  its id
 /// @param buffer  array of length [capacity] for the label, UTF-8, always ended by NUL; may be NULL
 ///     if capacity is 0
@@ -120,10 +123,10 @@ pub unsafe extern "C" fn pdn_model_label(
     })
 }
 
-/// The node, joint, element, force or relation that has a label.
+/// The node, joint, element, force, load or the like that has a label.
 ///
 /// @param model  the model; not NULL
-/// @param kind  PDN_OBJECT_NODE to PDN_OBJECT_RELATION
+/// @param kind  PDN_OBJECT_NODE to PDN_OBJECT_PRESCRIBED
 /// @param label  the label; not NULL
 /// @param id  its id; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (none has this label)
@@ -139,11 +142,11 @@ pub unsafe extern "C" fn pdn_model_find_label(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let (object, kind) = object_kind(kind)?;
+        let kind = object_kind(kind)?;
         let label = call.text(label, "label")?;
         let id = call.out(id, "id")?;
-        let found = model.find_label(object, label).ok_or_else(|| {
-            let message = format!("label: no {object} has the label \"{label}\"");
+        let found = model.find_label(kind, label).ok_or_else(|| {
+            let message = format!("label: no {kind} has the label \"{label}\"");
             Error::new(ErrorKind::NotAvailable, message)
         })?;
         id.set(kind.id(found));

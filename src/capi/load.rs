@@ -2,12 +2,13 @@
 
 use super::call::Call;
 use super::guard::guard;
-use super::model::{self, choose, pdn_model};
+use super::id::Kind;
+use super::model::{self, add_object, choose, pdn_model};
 use super::signal::{self, pdn_signal};
 use super::status::pdn_status;
 use crate::elements::{BeamLoadFrame, LoadFrame};
 use crate::error::{Error, Result};
-use crate::model::{DistributedLoadDefinition, LoadPlace, Signal};
+use crate::model::{DistributedLoadDefinition, LoadPlace, Model, Signal};
 
 /// Directions of a load, or axes of a velocity, force or reaction: the global axes.
 pub const PDN_FRAME_SPACE: i32 = 1600;
@@ -93,6 +94,7 @@ pub(super) fn components(
 /// @param component  PDN_FORCE_1, PDN_FORCE_2, PDN_FORCE_3 [force], PDN_MOMENT_1, PDN_MOMENT_2 or
 ///     PDN_MOMENT_3 [force * length]
 /// @param signal  the component in time, copied; not NULL
+/// @param load  the load's id; may be NULL if it is not wanted; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
 ///     PDN_ERR_STRUCT_SIZE
 ///
@@ -105,12 +107,15 @@ pub unsafe extern "C" fn pdn_model_add_load(
     frame: i32,
     component: i32,
     signal: *const pdn_signal,
+    load: *mut i32,
 ) -> pdn_status {
-    guard(|call| {
-        let mut model = call.exclusive(model, "model")?;
-        let node = model::node(&model, node, "node")?;
+    let read = |call: &Call, model: &Model| {
+        let node = model::node(model, node, "node")?;
         let frame = load_frame(frame)?;
-        let components = components(call, component, signal)?;
+        Ok((node, frame, components(call, component, signal)?))
+    };
+    add_object(model, Kind::Load, (load, "load"), read, |model, given| {
+        let (node, frame, components) = given;
         model.add_load(node, frame, components)
     })
 }
@@ -198,6 +203,8 @@ pub unsafe extern "C" fn pdn_model_set_gravity_signals(
 /// @param factors  array of length [count]: factors of the signal at these places, linear in
 ///     between; NULL if count is 0
 /// @param count  0 for a factor of 1 all along; or at least 2
+/// @param load  the load's id, a beam load's; may be NULL if it is not wanted; written on success
+///     only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
 ///     PDN_ERR_STRUCT_SIZE
 ///
@@ -214,17 +221,17 @@ pub unsafe extern "C" fn pdn_model_add_distributed_load(
     fractions: *const f64,
     factors: *const f64,
     count: usize,
+    load: *mut i32,
 ) -> pdn_status {
-    guard(|call| {
-        let mut model = call.exclusive(model, "model")?;
-        let first_element = model::beam_element(&model, first_element, "first_element")?;
+    let read = |call: &Call, model: &Model| {
+        let first_element = model::beam_element(model, first_element, "first_element")?;
         let elements = usize::try_from(elements)
             .map_err(|_| Error::size("elements", "at least 1", elements))?;
         let frame = load_frame(frame)?;
         let components = components(call, component, signal)?;
         let fractions = call.numbers(fractions, count, "fractions")?;
         let factors = call.numbers(factors, count, "factors")?;
-        model.add_distributed_load(DistributedLoadDefinition {
+        Ok(DistributedLoadDefinition {
             first_element,
             elements,
             frame: frame.into(),
@@ -235,7 +242,9 @@ pub unsafe extern "C" fn pdn_model_add_distributed_load(
                 .zip(factors.iter().copied())
                 .collect(),
         })
-    })
+    };
+    let add = |model: &mut Model, load| model.add_distributed_load(load);
+    add_object(model, Kind::BeamLoad, (load, "load"), read, add)
 }
 
 /// Adds a force and moment distributed along beam elements, all components at all places at once,
@@ -244,7 +253,7 @@ pub unsafe extern "C" fn pdn_model_add_distributed_load(
 ///
 /// It acts on the line of the beam, for each unit of its reference length, and moves with the
 /// sections. It is linear between neighbouring places. However many there are, the beam is
-/// evaluated as for one.
+/// evaluated as for one. Each place is a beam load with an id of its own.
 ///
 /// @param model  the model; not NULL
 /// @param first_element  id of the first beam element, such as the first_element of a ::pdn_beam
@@ -262,6 +271,8 @@ pub unsafe extern "C" fn pdn_model_add_distributed_load(
 ///     PDN_FORCE_1 to PDN_FORCE_3 [force / length] and PDN_MOMENT_1 to PDN_MOMENT_3 [force], then
 ///     those of the next. One that was only initialised is zero
 /// @param count  number of places, at least 2
+/// @param first_load  id of the beam load at the first place; those at the others follow; may be
+///     NULL if it is not wanted; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
 ///     PDN_ERR_STRUCT_SIZE
 ///
@@ -277,6 +288,7 @@ pub unsafe extern "C" fn pdn_model_add_load_at_places(
     fractions: *const f64,
     signals: *const pdn_signal,
     count: usize,
+    first_load: *mut i32,
 ) -> pdn_status {
     guard(|call| {
         const MOST: usize = 100_000;
@@ -300,6 +312,12 @@ pub unsafe extern "C" fn pdn_model_add_load_at_places(
                 }),
             })
             .collect();
-        model.add_load_at_places(first_element, elements, frame, &places)
+        let out = call.out_optional(first_load, "first_load")?;
+        let id = Kind::BeamLoad.next(&model, count, "count")?;
+        model.add_load_at_places(first_element, elements, frame, &places)?;
+        if let Some(out) = out {
+            out.set(id);
+        }
+        Ok(())
     })
 }

@@ -90,6 +90,7 @@ pub mod last_error;
 pub mod line;
 pub mod linear_solver;
 pub mod load;
+pub mod load_contents;
 pub mod march;
 pub mod model;
 pub mod modes;

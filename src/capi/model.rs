@@ -20,8 +20,8 @@ pub const PDN_GROUND: i32 = -1;
 /// consistent set of units will do (such as metre, newton, kilogram, second); angles are in
 /// radians.
 ///
-/// Nodes, joints and beam elements are named by ids, each counted from 0 in the order they are
-/// made. A call that fails leaves the model as it was.
+/// All that is added has an id, in the order in which it was added: nodes from PDN_FIRST_NODE on,
+/// joints from PDN_FIRST_JOINT on, and so on. A call that fails leaves the model as it was.
 pub struct pdn_model {
     _private: [u8; 0],
 }
@@ -49,7 +49,7 @@ const _: () = assert!(size_of::<pdn_frame>() == 96);
 
 /// The node that an id names.
 pub(super) fn node(model: &Model, id: i32, name: &str) -> Result<usize> {
-    Kind::Node.index_below(id, model.node_count(), name, "a node id")
+    Kind::Node.index_in(model, id, name)
 }
 
 /// The nodes that an array of ids names, which may be of length 0.
@@ -69,31 +69,50 @@ pub(super) fn body(model: &Model, id: i32, name: &str) -> Result<Option<usize>> 
     if id == PDN_GROUND {
         return Ok(None);
     }
-    let expected = "PDN_GROUND or a node id";
-    let node = Kind::Node.index_below(id, model.node_count(), name, expected)?;
-    Ok(Some(node))
+    let node = Kind::Node.index_or("PDN_GROUND or ", id, model.node_count(), name);
+    node.map(Some)
 }
 
 /// The joint that an id names.
 pub(super) fn joint(model: &Model, id: i32, name: &str) -> Result<usize> {
-    Kind::Joint.index_below(id, model.joint_count(), name, "a joint id")
+    Kind::Joint.index_in(model, id, name)
 }
 
 /// The force that an id names.
 pub(super) fn force(model: &Model, id: i32, name: &str) -> Result<usize> {
-    Kind::Force.index_below(id, model.force_count(), name, "a force id")
+    Kind::Force.index_in(model, id, name)
 }
 
 /// The beam element that an id names.
 pub(super) fn beam_element(model: &Model, id: i32, name: &str) -> Result<usize> {
-    let count = model.beam_element_count();
-    Kind::BeamElement.index_below(id, count, name, "a beam element id")
+    Kind::BeamElement.index_in(model, id, name)
 }
 
 /// The shell element that an id names.
 pub(super) fn shell_element(model: &Model, id: i32, name: &str) -> Result<usize> {
-    let count = model.shell_element_count();
-    Kind::ShellElement.index_below(id, count, name, "a shell element id")
+    Kind::ShellElement.index_in(model, id, name)
+}
+
+/// Body of a function that adds a thing of a kind, which `add` makes of what it reads, and gives
+/// its id where that is wanted.
+pub(super) fn add_object<T>(
+    model: *mut pdn_model,
+    kind: Kind,
+    (id, name): (*mut i32, &str),
+    read: impl FnOnce(&Call, &Model) -> Result<T>,
+    add: impl FnOnce(&mut Model, T) -> Result<usize>,
+) -> pdn_status {
+    guard(|call| {
+        let mut model = call.exclusive(model, "model")?;
+        let given = read(call, &model)?;
+        let out = call.out_optional(id, name)?;
+        let id = kind.next(&model, 1, name)?;
+        add(&mut model, given)?;
+        if let Some(out) = out {
+            out.set(id);
+        }
+        Ok(())
+    })
 }
 
 /// Number `given` of `count` things that have no ids.
@@ -323,7 +342,7 @@ pub unsafe extern "C" fn pdn_model_add_node(
             .array_optional::<9>(rotation, "rotation")?
             .map_or_else(Matrix3::identity, |r| Matrix3::from_column_slice(&r));
         let node = call.out(node, "node")?;
-        let id = Kind::Node.next(model.node_count(), 1, "node")?;
+        let id = Kind::Node.next(&model, 1, "node")?;
         model.add_node(&Motion::new(rotation, position))?;
         node.set(id);
         Ok(())
@@ -331,6 +350,8 @@ pub unsafe extern "C" fn pdn_model_add_node(
 }
 
 /// Adds a rigid body: a node at its centre of mass, with axes parallel to the global ones.
+///
+/// Its inertia has an id, ::pdn_model_inertia_of, by which a parameter can move it.
 ///
 /// @param model  the model; not NULL
 /// @param mass  mass, positive [mass]
@@ -356,7 +377,7 @@ pub unsafe extern "C" fn pdn_model_add_rigid_body(
         let centre = vector(call, centre, "centre")?;
         let inertia = Matrix3::from_column_slice(&call.array::<9>(inertia, "inertia")?);
         let node = call.out(node, "node")?;
-        let id = Kind::Node.next(model.node_count(), 1, "node")?;
+        let id = Kind::Node.next(&model, 1, "node")?;
         model.add_rigid_body(mass, &centre, &inertia)?;
         node.set(id);
         Ok(())
@@ -372,6 +393,7 @@ pub unsafe extern "C" fn pdn_model_add_rigid_body(
 ///     [length]
 /// @param inertia  array of length 9: moments of inertia about the centre, in global axes, 3 x 3,
 ///     symmetric and positive semi-definite [mass * length^2]; NULL for a point mass
+/// @param id  id of the inertia; may be NULL if it is not wanted; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
 ///
 /// Threads: exclusive use of `model`.
@@ -383,15 +405,19 @@ pub unsafe extern "C" fn pdn_model_add_mass(
     mass: f64,
     centre: *const f64,
     inertia: *const f64,
+    id: *mut i32,
 ) -> pdn_status {
-    guard(|call| {
-        let mut model = call.exclusive(model, "model")?;
-        let node = self::node(&model, node, "node")?;
+    let read = |call: &Call, model: &Model| {
+        let node = self::node(model, node, "node")?;
         let mass = call.number(mass, "mass")?;
         let centre = vector(call, centre, "centre")?;
         let inertia = call
             .array_optional::<9>(inertia, "inertia")?
             .map_or_else(Matrix3::zeros, |j| Matrix3::from_column_slice(&j));
+        Ok((node, mass, centre, inertia))
+    };
+    add_object(model, Kind::Inertia, (id, "id"), read, |model, given| {
+        let (node, mass, centre, inertia) = given;
         model.add_mass(node, mass, &centre, &inertia)
     })
 }
@@ -407,6 +433,7 @@ pub unsafe extern "C" fn pdn_model_add_mass(
 /// @param frame  the frame that the matrix is about and resolved in; NULL for the node's own
 /// @param matrix  array of length 36: 6 x 6, symmetric and positive semi-definite
 ///     [mass, mass * length,     mass * length^2]
+/// @param id  id of the inertia; may be NULL if it is not wanted; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
 ///
 /// Threads: exclusive use of `model`.
@@ -417,16 +444,20 @@ pub unsafe extern "C" fn pdn_model_add_inertia(
     node: i32,
     frame: *const pdn_frame,
     matrix: *const f64,
+    id: *mut i32,
 ) -> pdn_status {
-    guard(|call| {
-        let mut model = call.exclusive(model, "model")?;
-        let node = self::node(&model, node, "node")?;
+    let read = |call: &Call, model: &Model| {
+        let node = self::node(model, node, "node")?;
         let frame = if frame.is_null() {
             None
         } else {
             Some(motion(call, frame, "frame")?)
         };
         let matrix = Matrix6::from_column_slice(&call.array::<36>(matrix, "matrix")?);
+        Ok((node, frame, matrix))
+    };
+    add_object(model, Kind::Inertia, (id, "id"), read, |model, given| {
+        let (node, frame, matrix) = given;
         model.add_inertia(node, frame.as_ref(), &matrix)
     })
 }

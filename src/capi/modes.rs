@@ -302,7 +302,7 @@ pub unsafe extern "C" fn pdn_modes_shape(
         let mut im = memory::room("the shape", length)?;
         let total = modes.mode(mode)?.shape.len();
         for (k, &node) in nodes.iter().enumerate() {
-            let node = Kind::Node.index_below(node, total, &format!("nodes[{k}]"), "a node id")?;
+            let node = Kind::Node.index_below(node, total, &format!("nodes[{k}]"))?;
             let shape = modes.shape(mode, node)?;
             re.extend(shape.map(|x| x.re));
             im.extend(shape.map(|x| x.im));

@@ -90,7 +90,8 @@ fn pendulum() -> *mut pdn_model {
         model,
         PDN_FIRST_JOINT,
         super::joint::PDN_ROTATION,
-        &signal
+        &signal,
+        null_mut()
     ));
     ok!(pdn_signal_set_harmonics(
         &mut signal,
@@ -101,7 +102,14 @@ fn pendulum() -> *mut pdn_model {
         0
     ));
     let (frame, force) = (super::load::PDN_FRAME_SPACE, super::load::PDN_FORCE_3);
-    ok!(pdn_model_add_load(model, last, frame, force, &signal));
+    ok!(pdn_model_add_load(
+        model,
+        last,
+        frame,
+        force,
+        &signal,
+        null_mut()
+    ));
     model
 }
 

@@ -1,7 +1,8 @@
 //! Parameters of a model.
 
-use super::guard::guard;
+use super::guard::{guard, guard_or};
 use super::id::Kind;
+use super::last_error::copy_message;
 use super::load::component_place;
 use super::model::{choose, pdn_model};
 use super::solution::pdn_solution;
@@ -20,8 +21,7 @@ pub const PDN_NUMBER_DAMPING: i32 = 3601;
 /// A parameter moves the coordinate at which a spring-damper or viscoelastic force is free of
 /// effort.
 pub const PDN_NUMBER_REST: i32 = 3602;
-/// A parameter moves a factor of the inertia of a body: of the bodies, masses and inertias that
-/// were given, in their order.
+/// A parameter moves a factor of an inertia: that of a rigid body, or a mass or inertia on a node.
 pub const PDN_NUMBER_INERTIA: i32 = 3603;
 /// A parameter moves a factor of the sections' stiffness along a beam element.
 pub const PDN_NUMBER_BEAM_STIFFNESS: i32 = 3604;
@@ -45,19 +45,19 @@ pub const PDN_NUMBER_SHELL_THICKNESS: i32 = 3612;
 /// ::pdn_model_set_turning_frame.
 pub const PDN_NUMBER_FRAME_RATE: i32 = 3613;
 
-/// The signal of an actuator, by its force id.
+/// The signal of an actuator, a force.
 pub const PDN_SIGNAL_OF_ACTUATOR: i32 = 3700;
-/// The signal of a prescribed coordinate, in the order in which they were prescribed.
+/// The signal of a prescribed coordinate.
 pub const PDN_SIGNAL_OF_PRESCRIBED: i32 = 3701;
-/// The signal of a component of a load on a node, in the order in which these were added.
+/// The signal of a component of a load on a node.
 pub const PDN_SIGNAL_OF_LOAD: i32 = 3702;
-/// The signal of a component of a load along beams, in the order in which these were added.
+/// The signal of a component of a load along beam elements.
 pub const PDN_SIGNAL_OF_BEAM_LOAD: i32 = 3703;
-/// The signal of a component of gravity; its index is 0.
+/// The signal of a component of gravity.
 pub const PDN_SIGNAL_OF_GRAVITY: i32 = 3704;
-/// The signal of a linear relation between joint coordinates, by its id.
+/// The signal of a linear relation between joint coordinates.
 pub const PDN_SIGNAL_OF_RELATION: i32 = 3705;
-/// The signal of a component of a load on shells, in the order in which these were added.
+/// The signal of a component of a load on shell elements.
 pub const PDN_SIGNAL_OF_SHELL_LOAD: i32 = 3706;
 
 /// Part of a signal: the mean that is added to its shape.
@@ -100,16 +100,117 @@ pub unsafe extern "C" fn pdn_model_add_parameter(
         let mut model = call.exclusive(model, "model")?;
         let name = call.text(name, "name")?;
         let out = call.out(out, "out")?;
-        let id = Kind::Parameter.next(model.parameters().len(), 1, "parameters")?;
+        let id = Kind::Parameter.next(&model, 1, "parameters")?;
         model.add_parameter(name, value, scale)?;
         out.set(id);
         Ok(())
     })
 }
 
+/// Number of parameters; their ids follow each other from PDN_FIRST_PARAMETER on.
+///
+/// @param model  the model; not NULL
+/// @param count  the number; written on success only
+/// @return PDN_OK, PDN_ERR_NULL
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_parameter_count(
+    model: *const pdn_model,
+    count: *mut i32,
+) -> pdn_status {
+    super::model::count(model, count, |model| model.object_count(Kind::Parameter))
+}
+
+/// Value and scale of a parameter.
+///
+/// @param model  the model; not NULL
+/// @param parameter  id of the parameter
+/// @param value  its value; written on success only
+/// @param scale  what counts as 1 in it; may be NULL if it is not wanted; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_parameter(
+    model: *const pdn_model,
+    parameter: i32,
+    value: *mut f64,
+    scale: *mut f64,
+) -> pdn_status {
+    guard(|call| {
+        let model = call.shared(model, "model")?;
+        let found = &model.parameters()[self::parameter(&model, parameter, "parameter")?];
+        let value = call.out(value, "value")?;
+        if let Some(scale) = call.out_optional(scale, "scale")? {
+            scale.set(found.scale);
+        }
+        value.set(found.value);
+        Ok(())
+    })
+}
+
+/// The name of a parameter.
+///
+/// @param model  the model; not NULL
+/// @param parameter  id of the parameter
+/// @param buffer  array of length [capacity] for the name, UTF-8, always ended by NUL; may be NULL
+///     if capacity is 0
+/// @param capacity  size of buffer in bytes
+/// @return length of the name without the NUL, as snprintf does; 0 if the handle or id is not
+///     valid, see ::pdn_last_error
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_parameter_name(
+    model: *const pdn_model,
+    parameter: i32,
+    buffer: *mut c_char,
+    capacity: usize,
+) -> usize {
+    guard_or(0, |call| {
+        let model = call.shared(model, "model")?;
+        let found = &model.parameters()[self::parameter(&model, parameter, "parameter")?];
+        copy_message(&found.name, buffer, capacity);
+        Ok(found.name.len())
+    })
+}
+
+/// The parameter that has a name.
+///
+/// @param model  the model; not NULL
+/// @param name  the name; not NULL
+/// @param parameter  id of the parameter; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (none has this name)
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_find_parameter(
+    model: *const pdn_model,
+    name: *const c_char,
+    parameter: *mut i32,
+) -> pdn_status {
+    guard(|call| {
+        let model = call.shared(model, "model")?;
+        let name = call.text(name, "name")?;
+        let out = call.out(parameter, "parameter")?;
+        let found = model.parameters().iter().position(|it| it.name == name);
+        let found = found.ok_or_else(|| {
+            let message = format!("name: no parameter is called \"{name}\"");
+            Error::new(ErrorKind::NotAvailable, message)
+        })?;
+        out.set(Kind::Parameter.id(found));
+        Ok(())
+    })
+}
+
 /// The parameter of an id.
 pub(super) fn parameter(model: &Model, id: i32, name: &str) -> Result<usize> {
-    Kind::Parameter.index_below(id, model.parameters().len(), name, "a parameter id")
+    Kind::Parameter.index_in(model, id, name)
 }
 
 /// An id that may be that of a parameter of some model, or the frequency.
@@ -132,9 +233,8 @@ fn count(value: i32, name: &str) -> Result<usize> {
 /// @param model  the model; not NULL
 /// @param parameter  id of the parameter
 /// @param number  PDN_NUMBER_STIFFNESS, ...
-/// @param index  id of the force, the beam element or the shell element; which of the bodies with
-///     inertia, from 0 in the order of ::pdn_model_inertia; 0 for PDN_NUMBER_MASS_DAMPING and
-///     PDN_NUMBER_FRAME_RATE
+/// @param id  id of the force, inertia, beam element or shell element that has it; 0 for
+///     PDN_NUMBER_MASS_DAMPING and PDN_NUMBER_FRAME_RATE, which are of the whole model
 /// @param power  power, from 1, of a stiffness or damping; 0 for all else
 /// @param factor  the number for a unit of the parameter, not zero
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID (no such parameter or number),
@@ -147,60 +247,71 @@ pub unsafe extern "C" fn pdn_model_move_number(
     model: *mut pdn_model,
     parameter: i32,
     number: i32,
-    index: i32,
+    id: i32,
     power: i32,
     factor: f64,
 ) -> pdn_status {
     guard(|call| {
         let mut model = call.exclusive(model, "model")?;
-        let id = self::parameter(&model, parameter, "parameter")?;
+        let parameter = self::parameter(&model, parameter, "parameter")?;
         let power = count(power, "power")?;
-        let target = target(number, index, power)?;
-        model.move_by_parameter(id, target, factor)
+        let target = target(&model, number, id, power)?;
+        model.move_by_parameter(parameter, target, factor)
     })
 }
 
 /// The number that arguments name.
-fn target(number: i32, index: i32, power: usize) -> Result<Target> {
-    let of = |kind: Kind| kind.index(index, "index");
-    let of_all = |target| match index {
-        0 => Ok(target),
-        _ => Err(Error::value("index", "0 for this number", index)),
-    };
+fn target(model: &Model, number: i32, id: i32, power: usize) -> Result<Target> {
+    let of = |kind: Kind| kind.index_in(model, id, "id");
     let (force, beam, shell) = (Kind::Force, Kind::BeamElement, Kind::ShellElement);
     Ok(match number {
         PDN_NUMBER_STIFFNESS => Target::Stiffness(of(force)?, power),
         PDN_NUMBER_DAMPING => Target::Damping(of(force)?, power),
         PDN_NUMBER_REST => Target::Rest(of(force)?),
-        PDN_NUMBER_INERTIA => Target::Inertia(count(index, "index")?),
+        PDN_NUMBER_INERTIA => Target::Inertia(of(Kind::Inertia)?),
         PDN_NUMBER_BEAM_STIFFNESS => Target::BeamStiffness(of(beam)?),
         PDN_NUMBER_BEAM_MASS => Target::BeamMass(of(beam)?),
         PDN_NUMBER_BEAM_DAMPING => Target::BeamDamping(of(beam)?),
-        PDN_NUMBER_MASS_DAMPING => of_all(Target::MassDamping)?,
+        PDN_NUMBER_MASS_DAMPING => of_the_whole(id, Target::MassDamping)?,
         PDN_NUMBER_SHELL_STIFFNESS => Target::ShellStiffness(of(shell)?),
         PDN_NUMBER_SHELL_MASS => Target::ShellMass(of(shell)?),
         PDN_NUMBER_SHELL_DAMPING => Target::ShellDamping(of(shell)?),
         PDN_NUMBER_SHELL_THICKNESS => Target::ShellThickness(of(shell)?),
-        PDN_NUMBER_FRAME_RATE => of_all(Target::FrameRate)?,
+        PDN_NUMBER_FRAME_RATE => of_the_whole(id, Target::FrameRate)?,
         other => return Err(Error::value("number", "a constant PDN_NUMBER_...", other)),
     })
 }
 
+/// What belongs to the whole model, and so to nothing that has an id.
+fn of_the_whole<T>(id: i32, what: T) -> Result<T> {
+    match id {
+        0 => Ok(what),
+        _ => Err(Error::value("id", "0 for what is of the whole model", id)),
+    }
+}
+
 /// The signal that arguments name.
-pub(super) fn signal_place(place: i32, index: i32, component: i32) -> Result<SignalPlace> {
-    let at = || count(index, "index");
+pub(super) fn signal_place(
+    model: &Model,
+    place: i32,
+    id: i32,
+    component: i32,
+) -> Result<SignalPlace> {
+    let of = |kind: Kind| kind.index_in(model, id, "id");
     let of_load = || {
         let expected = "PDN_FORCE_1 to PDN_FORCE_3 or PDN_MOMENT_1 to PDN_MOMENT_3";
         component_place(component).ok_or_else(|| Error::value("component", expected, component))
     };
     Ok(match place {
-        PDN_SIGNAL_OF_ACTUATOR => SignalPlace::Actuator(Kind::Force.index(index, "index")?),
-        PDN_SIGNAL_OF_PRESCRIBED => SignalPlace::Prescribed(at()?),
-        PDN_SIGNAL_OF_LOAD => SignalPlace::Load(at()?, of_load()?),
-        PDN_SIGNAL_OF_BEAM_LOAD => SignalPlace::DistributedLoad(at()?, of_load()?),
-        PDN_SIGNAL_OF_GRAVITY => SignalPlace::Gravity(count(component, "component")?),
-        PDN_SIGNAL_OF_RELATION => SignalPlace::Relation(Kind::Relation.index(index, "index")?),
-        PDN_SIGNAL_OF_SHELL_LOAD => SignalPlace::ShellLoad(at()?, of_load()?),
+        PDN_SIGNAL_OF_ACTUATOR => SignalPlace::Actuator(of(Kind::Force)?),
+        PDN_SIGNAL_OF_PRESCRIBED => SignalPlace::Prescribed(of(Kind::Prescribed)?),
+        PDN_SIGNAL_OF_LOAD => SignalPlace::Load(of(Kind::Load)?, of_load()?),
+        PDN_SIGNAL_OF_BEAM_LOAD => SignalPlace::DistributedLoad(of(Kind::BeamLoad)?, of_load()?),
+        PDN_SIGNAL_OF_GRAVITY => {
+            SignalPlace::Gravity(of_the_whole(id, count(component, "component")?)?)
+        }
+        PDN_SIGNAL_OF_RELATION => SignalPlace::Relation(of(Kind::Relation)?),
+        PDN_SIGNAL_OF_SHELL_LOAD => SignalPlace::ShellLoad(of(Kind::ShellLoad)?, of_load()?),
         other => return Err(Error::value("place", "a constant PDN_SIGNAL_OF_...", other)),
     })
 }
@@ -211,8 +322,7 @@ pub(super) fn signal_place(place: i32, index: i32, component: i32) -> Result<Sig
 /// @param model  the model; not NULL
 /// @param parameter  id of the parameter
 /// @param place  what has the signal: PDN_SIGNAL_OF_ACTUATOR, ...
-/// @param index  id of the actuator or the relation; of prescribed coordinates and loads which of
-///     them, from 0 in the order in which they were added; 0 for gravity
+/// @param id  its id: of a force, prescribed coordinate, load or relation; 0 for gravity
 /// @param component  of a load PDN_FORCE_1, ... or PDN_MOMENT_3, of gravity from 0 to 2; 0 for all
 ///     else
 /// @param part  PDN_PART_MEAN, PDN_PART_RATE, PDN_PART_AMPLITUDE or PDN_PART_PHASE
@@ -226,15 +336,15 @@ pub unsafe extern "C" fn pdn_model_move_signal(
     model: *mut pdn_model,
     parameter: i32,
     place: i32,
-    index: i32,
+    id: i32,
     component: i32,
     part: i32,
     factor: f64,
 ) -> pdn_status {
     guard(|call| {
         let mut model = call.exclusive(model, "model")?;
-        let id = self::parameter(&model, parameter, "parameter")?;
-        let place = signal_place(place, index, component)?;
+        let parameter = self::parameter(&model, parameter, "parameter")?;
+        let place = signal_place(&model, place, id, component)?;
         let parts = [
             (PDN_PART_MEAN, SignalPart::Mean),
             (PDN_PART_RATE, SignalPart::Rate),
@@ -242,7 +352,7 @@ pub unsafe extern "C" fn pdn_model_move_signal(
             (PDN_PART_PHASE, SignalPart::Phase),
         ];
         let part = choose(&parts, part, "part", "a constant PDN_PART_...")?;
-        model.move_by_parameter(id, Target::Signal(place, part), factor)
+        model.move_by_parameter(parameter, Target::Signal(place, part), factor)
     })
 }
 

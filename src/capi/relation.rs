@@ -92,7 +92,7 @@ pub unsafe extern "C" fn pdn_model_add_relation(
             false => Some(signal::read(call, signal, "signal")?),
         };
         let out = call.out_optional(relation, "relation")?;
-        let id = Kind::Relation.next(model.relation_count(), 1, "relation")?;
+        let id = Kind::Relation.next(&model, 1, "relation")?;
         model.add_relation(&terms, signal.as_ref())?;
         if let Some(out) = out {
             out.set(id);

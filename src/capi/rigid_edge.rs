@@ -26,7 +26,7 @@ fn add_rigid_joints(
         let nodes = nodes(call, &model)?;
         let first_joint = call.out(first_joint, "first_joint")?;
         let joints = call.out(joints, "joints")?;
-        Kind::Joint.next(model.joint_count(), nodes.len(), "joint")?;
+        Kind::Joint.next(&model, nodes.len(), "joint")?;
         let made = model.add_rigid_joints(body, &nodes)?;
         // In range, as was checked.
         first_joint.set(Kind::Joint.id(made.start));

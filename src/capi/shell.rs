@@ -4,7 +4,7 @@ use super::call::Call;
 use super::guard::{guard, init};
 use super::id::Kind;
 use super::load::{components, load_frame};
-use super::model::{self, choose, number, pdn_model, shell_element};
+use super::model::{self, add_object, choose, number, pdn_model, shell_element};
 use super::options::Options;
 use super::pointer::check_pointer;
 use super::section::{read_struct, update_struct};
@@ -324,7 +324,7 @@ pub unsafe extern "C" fn pdn_model_add_shell_element(
         let nodes = model::nodes(call, &model, (nodes, count), "nodes")?;
         let (section, placement) = read_shell(call, section, placement)?;
         let element = call.out(element, "element")?;
-        let id = Kind::ShellElement.next(model.shell_element_count(), 1, "element")?;
+        let id = Kind::ShellElement.next(&model, 1, "element")?;
         model.add_shell_element(&nodes, sides, &section, &placement)?;
         element.set(id);
         Ok(())
@@ -494,9 +494,8 @@ pub unsafe extern "C" fn pdn_model_add_shell_quadrilaterals(
         let (section, placement) = read_shell(call, section, placement)?;
         let first_element = call.out(first_element, "first_element")?;
         let nodes = elements.saturating_mul((degree + 1) * (degree + 1));
-        Kind::Node.next(model.node_count(), nodes, "cells")?;
-        let shells = model.shell_element_count();
-        let first = Kind::ShellElement.next(shells, elements, "cells")?;
+        Kind::Node.next(&model, nodes, "cells")?;
+        let first = Kind::ShellElement.next(&model, elements, "cells")?;
         model.add_shell_quadrilaterals(&mesh, &section, &placement)?;
         first_element.set(first);
         Ok(())
@@ -536,10 +535,9 @@ fn new_shell(model: &Model, mesh: &ShellMesh) -> Result<pdn_shell> {
     let [nodes_u, nodes_v] = mesh.lines()?;
     let [elements_u, elements_v] = mesh.elements;
     let nodes = nodes_u.saturating_mul(nodes_v);
-    Kind::Node.next(model.node_count(), nodes, "elements")?;
+    Kind::Node.next(model, nodes, "elements")?;
     let elements = elements_u.saturating_mul(elements_v);
-    let there = model.shell_element_count();
-    let first_element = Kind::ShellElement.next(there, elements, "elements")?;
+    let first_element = Kind::ShellElement.next(model, elements, "elements")?;
     // In range, as their products are.
     let [elements_u, elements_v, nodes_u, nodes_v] =
         [elements_u, elements_v, nodes_u, nodes_v].map(|n| n as i32);
@@ -712,6 +710,8 @@ pub(super) fn place_code(place: ShellLoadPlace) -> i32 {
 /// @param component  PDN_FORCE_1, PDN_FORCE_2, PDN_FORCE_3 [force / length^2, or / length],
 ///     PDN_MOMENT_1, PDN_MOMENT_2 or PDN_MOMENT_3 [times length]
 /// @param signal  the component in time, copied; not NULL
+/// @param load  the load's id, a shell load's; may be NULL if it is not wanted; written on success
+///     only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
 ///     PDN_ERR_STRUCT_SIZE
 ///
@@ -726,23 +726,25 @@ pub unsafe extern "C" fn pdn_model_add_shell_load(
     frame: i32,
     component: i32,
     signal: *const pdn_signal,
+    load: *mut i32,
 ) -> pdn_status {
-    guard(|call| {
-        let mut model = call.exclusive(model, "model")?;
-        let first_element = shell_element(&model, first_element, "first_element")?;
+    let read = |call: &Call, model: &Model| {
+        let first_element = shell_element(model, first_element, "first_element")?;
         let elements = usize::try_from(elements)
             .map_err(|_| Error::size("elements", "at least 1", elements))?;
         let place = load_place(place)?;
         let frame = load_frame(frame)?;
         let components = components(call, component, signal)?;
-        model.add_shell_load(ShellLoadDefinition {
+        Ok(ShellLoadDefinition {
             first_element,
             elements,
             place,
             frame,
             components,
         })
-    })
+    };
+    let add = |model: &mut Model, load| model.add_shell_load(load);
+    add_object(model, Kind::ShellLoad, (load, "load"), read, add)
 }
 
 /// Gives shell elements forces and moments where nothing is strained: initial stress, in place of

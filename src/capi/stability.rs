@@ -359,7 +359,7 @@ pub unsafe extern "C" fn pdn_stability_shape(
         let stability = call.shared(stability, "stability")?;
         let count = stability.multipliers.len();
         let number = model::number(number, count, "number", "a multiplier's number")?;
-        let node = Kind::Node.index_below(node, stability.nodes(), "node", "a node id")?;
+        let node = Kind::Node.index_below(node, stability.nodes(), "node")?;
         let shape = stability.shape(number, node)?;
         if steps != shape.len() {
             return Err(crate::error::Error::size("steps", shape.len(), steps));

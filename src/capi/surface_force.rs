@@ -149,7 +149,7 @@ pub unsafe extern "C" fn pdn_model_add_surface_force(
         model.require_shell_place((first, elements), place)?;
         let function = call.function(function, "function")?;
         let out = call.out_optional(first_force, "first_force")?;
-        let id = Kind::Force.next(model.force_count(), elements, "force")?;
+        let id = Kind::Force.next(&model, elements, "force")?;
         let callback = Callback::<SurfaceFunction>::new(function, user_data, destroy);
         let law = SurfaceForceLaw {
             function: Arc::new(move |input, output| call_back(&callback, input, output)),

@@ -2,12 +2,11 @@
 
 use super::call::Call;
 use super::callback::Callback;
-use super::force::add_force;
 use super::guard::{guard, init};
 use super::id::Kind;
 use super::joint::joint_coordinate;
 use super::load::{PDN_FORCE_1, load_frame};
-use super::model::{self, pdn_model};
+use super::model::{self, add_object, pdn_model};
 use super::options::Options;
 use super::pointer::check_pointer;
 use super::status::pdn_status;
@@ -192,9 +191,10 @@ pub unsafe extern "C" fn pdn_model_add_coordinate_law(
         let gives_derivatives = gives_tangents(tangents)?;
         Ok((at, gives_derivatives, call.function(function, "function")?))
     };
-    add_force(
+    add_object(
         model,
-        force,
+        Kind::Force,
+        (force, "force"),
         read,
         |model, (at, gives_derivatives, function)| {
             let callback = Callback::<CoordinateFunction>::new(function, user_data, destroy);
@@ -283,9 +283,10 @@ pub unsafe extern "C" fn pdn_model_add_user_force(
         let function = call.function(function, "function")?;
         Ok((nodes, frame, gives_tangents, function))
     };
-    add_force(
+    add_object(
         model,
-        force,
+        Kind::Force,
+        (force, "force"),
         read,
         |model, (nodes, frame, gives_tangents, function)| {
             let callback = Callback::<UserForceFunction>::new(function, user_data, destroy);

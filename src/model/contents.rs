@@ -1,8 +1,8 @@
 //! What a model holds, for those who have not built it themselves.
 
 use super::{
-    BeamDefinition, ForceDefinition, InertiaDefinition, JointCoordinate, JointDefinition,
-    LoadDefinition, Model, Signal, SignalPlace,
+    BeamDefinition, DistributedLoadDefinition, ForceDefinition, InertiaDefinition, JointCoordinate,
+    JointDefinition, LoadDefinition, Model, ShellLoadDefinition, Signal, SignalPlace,
 };
 use crate::elements::{Attachment, Section};
 use crate::error::{Error, ErrorKind, Result, require_finite, require_id, require_positive_number};
@@ -76,6 +76,16 @@ impl Model {
     /// Loads on nodes, in the order in which they were added.
     pub fn loads(&self) -> &[LoadDefinition] {
         &self.loads
+    }
+
+    /// Loads along beam elements, likewise.
+    pub fn beam_loads(&self) -> &[DistributedLoadDefinition] {
+        &self.distributed_loads
+    }
+
+    /// Loads on shell elements, likewise.
+    pub fn shell_loads(&self) -> &[ShellLoadDefinition] {
+        &self.shell_loads
     }
 
     /// Values of a signal of the model in motions of a period.

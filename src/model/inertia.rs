@@ -107,14 +107,15 @@ impl Model {
         Ok(node)
     }
 
-    /// Fixes a mass to `node`; `centre`, and `inertia` about it, are in the inertial frame.
+    /// Fixes a mass to `node`; `centre`, and `inertia` about it, are in the inertial frame. Returns
+    /// its number among bodies, masses and inertias.
     pub fn add_mass(
         &mut self,
         node: usize,
         mass: f64,
         centre: &Vector3<f64>,
         inertia: &Matrix3<f64>,
-    ) -> Result<()> {
+    ) -> Result<usize> {
         let matrix = central_inertia(mass, inertia)?;
         require_finite("centre", centre.as_slice())?;
         let frame = Motion::new(Matrix3::identity(), *centre);
@@ -122,13 +123,14 @@ impl Model {
     }
 
     /// Gives `node` the 6×6 inertia `matrix`, about and resolved in `frame`, which is given in the
-    /// inertial frame (`None`: the node's own).
+    /// inertial frame (`None`: the node's own). Returns its number among bodies, masses and
+    /// inertias.
     pub fn add_inertia(
         &mut self,
         node: usize,
         frame: Option<&Motion>,
         matrix: &Matrix6<f64>,
-    ) -> Result<()> {
+    ) -> Result<usize> {
         self.require_node("node", node)?;
         let offset = match frame {
             None => Motion::identity(),
@@ -138,16 +140,23 @@ impl Model {
         let carry = offset.inverse().adjoint();
         let matrix = carry.transpose() * matrix * carry;
         require_finite("inertia about the node", matrix.as_slice())?;
-        self.push_body(node, matrix);
-        Ok(())
+        Ok(self.push_body(node, matrix))
     }
 
-    fn push_body(&mut self, node: usize, matrix: Matrix6<f64>) {
+    /// Number of bodies, masses and inertias.
+    pub(super) fn inertia_count(&self) -> usize {
+        let is_body = |it: &&InertiaDefinition| matches!(it, InertiaDefinition::Body { .. });
+        self.inertias.iter().filter(is_body).count()
+    }
+
+    fn push_body(&mut self, node: usize, matrix: Matrix6<f64>) -> usize {
+        let number = self.inertia_count();
         self.inertias.push(InertiaDefinition::Body {
             node,
             matrix: Box::new(matrix),
             factor: 1.0,
         });
+        number
     }
 
     /// The inertias of bodies and of beam and shell elements, with the elements of these.

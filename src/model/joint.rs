@@ -102,8 +102,8 @@ impl Model {
         Ok(self.joints.len() - 1)
     }
 
-    /// Makes a joint coordinate follow a signal.
-    pub fn prescribe(&mut self, at: JointCoordinate, signal: &Signal) -> Result<()> {
+    /// Makes a joint coordinate follow a signal; returns its number among those that do.
+    pub fn prescribe(&mut self, at: JointCoordinate, signal: &Signal) -> Result<usize> {
         self.require_coordinate(&at)?;
         if self.prescribed.iter().any(|(other, _)| *other == at) {
             let got = format!("{} of joint {} again", at.coordinate, at.joint);
@@ -114,7 +114,7 @@ impl Model {
             ));
         }
         self.prescribed.push((at, signal.clone()));
-        Ok(())
+        Ok(self.prescribed.len() - 1)
     }
 
     /// Whether a joint coordinate is prescribed; its place among the prescribed ones.

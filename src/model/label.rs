@@ -1,61 +1,13 @@
-//! Labels: what the user calls nodes, joints, elements, forces and relations.
+//! Labels: what the user calls the things of a model.
 
-use super::Model;
-use crate::error::{Error, Result, require_id};
+use super::{Model, ObjectKind};
+use crate::error::{Error, Result};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use std::fmt;
 use std::sync::Arc;
 
 /// Bytes of a label, at most.
 pub const LONGEST_LABEL: usize = 200;
-
-/// What may have a label.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-pub enum ObjectKind {
-    /// A node, or a rigid body, which is one.
-    Node,
-    /// A joint.
-    Joint,
-    /// A beam element.
-    BeamElement,
-    /// A shell element.
-    ShellElement,
-    /// A force: spring, damper, actuator, bushing, user's force.
-    Force,
-    /// A relation between joint coordinates.
-    Relation,
-}
-
-impl ObjectKind {
-    /// All kinds. A noun that ends as another one does stands before it.
-    const ALL: [ObjectKind; 6] = [
-        ObjectKind::BeamElement,
-        ObjectKind::ShellElement,
-        ObjectKind::Node,
-        ObjectKind::Joint,
-        ObjectKind::Force,
-        ObjectKind::Relation,
-    ];
-
-    /// What messages call it.
-    pub fn noun(self) -> &'static str {
-        match self {
-            ObjectKind::Node => "node",
-            ObjectKind::Joint => "joint",
-            ObjectKind::BeamElement => "beam element",
-            ObjectKind::ShellElement => "shell element",
-            ObjectKind::Force => "force",
-            ObjectKind::Relation => "relation",
-        }
-    }
-}
-
-impl fmt::Display for ObjectKind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.noun())
-    }
-}
 
 /// Labels of a model, both ways.
 #[derive(Debug, Clone, Default)]
@@ -206,22 +158,6 @@ fn leading_digits(text: &str) -> usize {
 }
 
 impl Model {
-    /// Number of things of a kind.
-    pub fn object_count(&self, kind: ObjectKind) -> usize {
-        match kind {
-            ObjectKind::Node => self.nodes.len(),
-            ObjectKind::Joint => self.joints.len(),
-            ObjectKind::BeamElement => self.beams.len(),
-            ObjectKind::ShellElement => self.shells.len(),
-            ObjectKind::Force => self.forces.len(),
-            ObjectKind::Relation => self.relations.len(),
-        }
-    }
-
-    pub(crate) fn require_object(&self, kind: ObjectKind, id: usize) -> Result<()> {
-        require_id("id", kind.noun(), self.object_count(kind), id)
-    }
-
     /// Gives something a label, which messages, reports and files tell, in place of the one that it
     /// has; none if it is empty.
     ///

@@ -59,6 +59,9 @@ impl DistributedLoadDefinition {
         beams: &[Arc<Beam>],
         signals: [Option<usize>; 6],
     ) -> Result<()> {
+        if signals.iter().all(Option::is_none) {
+            return Ok(());
+        }
         let lengths = beams[self.range()]
             .iter()
             .map(|beam| beam.length_to(1.0))
@@ -118,25 +121,25 @@ fn factors_at(i: usize, fraction: impl Fn(usize) -> f64, last: usize) -> Vec<(f6
 }
 
 impl Model {
-    /// Adds a force and moment on a node.
+    /// Adds a force and moment on a node; returns its number among loads on nodes.
     pub fn add_load(
         &mut self,
         node: usize,
         frame: LoadFrame,
         components: [Option<Signal>; 6],
-    ) -> Result<()> {
+    ) -> Result<usize> {
         self.require_node("node", node)?;
         self.loads.push(LoadDefinition {
             node,
             frame,
             components,
         });
-        Ok(())
+        Ok(self.loads.len() - 1)
     }
 
     /// Adds a load that is given at `places`, from 0 to 1 and ascending, all its components at
-    /// once, and linear in between; two at the same fraction make a jump. See
-    /// [`Model::add_distributed_load`].
+    /// once, and linear in between; two at the same fraction make a jump: a beam load for each of
+    /// them. Returns the number of the first. See [`Model::add_distributed_load`].
     ///
     /// # Errors
     /// If the elements do not exist, or the places are fewer than two, not in order, or not from 0
@@ -147,7 +150,7 @@ impl Model {
         elements: usize,
         frame: BeamLoadFrame,
         places: &[LoadPlace],
-    ) -> Result<()> {
+    ) -> Result<usize> {
         if places.len() < 2 {
             return Err(Error::size("places", "at least 2", places.len()));
         }
@@ -159,9 +162,9 @@ impl Model {
             components: [const { None }; 6],
             factors: places.iter().map(|place| (place.fraction, 0.0)).collect(),
         })?;
+        let first = self.distributed_loads.len();
         let last = places.len() - 1;
-        let loaded = |place: &&LoadPlace| place.components.iter().any(Option::is_some);
-        for (i, place) in places.iter().enumerate().filter(|(_, place)| loaded(place)) {
+        for (i, place) in places.iter().enumerate() {
             self.distributed_loads.push(DistributedLoadDefinition {
                 first_element,
                 elements,
@@ -170,10 +173,10 @@ impl Model {
                 factors: factors_at(i, |i| places[i].fraction, last),
             });
         }
-        Ok(())
+        Ok(first)
     }
 
-    /// Adds a load along beam elements.
+    /// Adds a load along beam elements; returns its number among these.
     ///
     /// The load acts on the line of the beam and moves with its sections. It stays a load for a
     /// unit of *reference* length, however much the beam stretches.
@@ -181,10 +184,10 @@ impl Model {
     /// # Errors
     /// If the elements do not exist, or the factors are not finite, not in order, or not from 0 to
     /// 1; if the direction of an untwisted beam is along it somewhere.
-    pub fn add_distributed_load(&mut self, load: DistributedLoadDefinition) -> Result<()> {
+    pub fn add_distributed_load(&mut self, load: DistributedLoadDefinition) -> Result<usize> {
         self.require_load(&load)?;
         self.distributed_loads.push(load);
-        Ok(())
+        Ok(self.distributed_loads.len() - 1)
     }
 
     fn require_load(&self, load: &DistributedLoadDefinition) -> Result<()> {

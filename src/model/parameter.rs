@@ -395,7 +395,7 @@ mod tests {
             assert!(error.to_string().contains(why), "{error}");
         };
         refuse(&mut model, Target::Inertia(0), "\"mass\" moves the same");
-        refuse(&mut model, Target::Inertia(1), "given, got body 1");
+        refuse(&mut model, Target::Inertia(1), "given, got inertia 1");
         let expected = "a viscoelastic force or a bushing, got force 0";
         refuse(&mut model, Target::Stiffness(0, 1), expected);
         let expected = "target: expected a model that is described in a turning frame, got one";

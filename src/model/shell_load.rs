@@ -29,16 +29,16 @@ impl ShellLoadDefinition {
 }
 
 impl Model {
-    /// Adds a load on shell elements. It acts on their reference surface, moves with it, and stays
-    /// a load for a unit of *reference* area or length. A follower pressure on the surface is a
-    /// force along its axis 3, the normal.
+    /// Adds a load on shell elements; returns its number among these. It acts on their reference
+    /// surface, moves with it, and stays a load for a unit of *reference* area or length. A
+    /// follower pressure on the surface is a force along its axis 3, the normal.
     ///
     /// # Errors
     /// If the elements or the edge do not exist.
-    pub fn add_shell_load(&mut self, load: ShellLoadDefinition) -> Result<()> {
+    pub fn add_shell_load(&mut self, load: ShellLoadDefinition) -> Result<usize> {
         self.require_shell_place((load.first_element, load.elements), load.place)?;
         self.shell_loads.push(load);
-        Ok(())
+        Ok(self.shell_loads.len() - 1)
     }
 
     /// Checks that there are so many shell elements, from the first on, with such a place.

@@ -48,8 +48,8 @@ pub enum Target {
     Damping(usize, usize),
     /// The coordinate at which a spring-damper or a viscoelastic force is free of effort.
     Rest(usize),
-    /// Factor of the inertia of a body, in the order in which bodies, masses and inertias were
-    /// given, without those of beams.
+    /// Factor of an inertia, in the order in which bodies, masses and inertias were given, without
+    /// those of beams.
     Inertia(usize),
     /// Factor of the sections' stiffness along a beam element.
     BeamStiffness(usize),
@@ -127,7 +127,7 @@ pub(super) fn no_such(target: Target) -> Error {
             "a spring-damper or a viscoelastic force",
             format!("force {force}"),
         ),
-        Target::Inertia(body) => ("a body that was given", format!("body {body}")),
+        Target::Inertia(inertia) => ("an inertia that was given", format!("inertia {inertia}")),
         Target::BeamStiffness(element)
         | Target::BeamMass(element)
         | Target::BeamDamping(element) => {
@@ -156,8 +156,8 @@ pub(super) fn describe(place: SignalPlace) -> String {
         SignalPlace::Actuator(force) => format!("force {force}"),
         SignalPlace::Prescribed(index) => format!("prescribed coordinate {index}"),
         SignalPlace::Load(load, _) => format!("load {load}"),
-        SignalPlace::DistributedLoad(load, _) => format!("load {load} along beams"),
-        SignalPlace::ShellLoad(load, _) => format!("load {load} on shells"),
+        SignalPlace::DistributedLoad(load, _) => format!("beam load {load}"),
+        SignalPlace::ShellLoad(load, _) => format!("shell load {load}"),
         SignalPlace::Gravity(_) => "gravity".into(),
         SignalPlace::Relation(index) => format!("relation {index}"),
     }

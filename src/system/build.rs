@@ -244,21 +244,21 @@ impl<'a> Builder<'a> {
     }
 
     fn place_loads(&mut self) -> Result<()> {
-        for load in &self.model.loads {
-            let place = format!("load on node {}", load.node);
+        for (index, load) in self.model.loads.iter().enumerate() {
+            let place = format!("load {index} on node {}", load.node);
             let numbers = self.add_components(&load.components, &place)?;
             let element = NodalLoad::new(load.node, load.frame, numbers);
             self.system.place(Arc::new(element), ElementRole::Load);
         }
         // All those of a beam element together.
         let mut along = BTreeMap::new();
-        for load in &self.model.distributed_loads {
-            let place = format!("load along beam elements {:?}", load.range());
+        for (index, load) in self.model.distributed_loads.iter().enumerate() {
+            let place = format!("beam load {index}");
             let numbers = self.add_components(&load.components, &place)?;
             load.add_to(&mut along, &self.system.beams, numbers)?;
         }
-        for load in &self.model.shell_loads {
-            let place = format!("load on shell elements {:?}", load.range());
+        for (index, load) in self.model.shell_loads.iter().enumerate() {
+            let place = format!("shell load {index}");
             let numbers = self.add_components(&load.components, &place)?;
             for shell in &self.system.shells.clone()[load.range()] {
                 let element = shell.load(load.place, load.frame, numbers)?;

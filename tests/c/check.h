@@ -52,10 +52,16 @@ static inline void check_message(const char *text, const char *file, int line)
 #define FORCE(number) (PDN_FIRST_FORCE + (number))
 #define RELATION(number) (PDN_FIRST_RELATION + (number))
 #define PARAMETER(number) (PDN_FIRST_PARAMETER + (number))
+#define LOAD(number) (PDN_FIRST_LOAD + (number))
+#define BEAM_LOAD(number) (PDN_FIRST_BEAM_LOAD + (number))
+#define SHELL_LOAD(number) (PDN_FIRST_SHELL_LOAD + (number))
+#define INERTIA(number) (PDN_FIRST_INERTIA + (number))
+#define PRESCRIBED(number) (PDN_FIRST_PRESCRIBED + (number))
 
 /* What names nothing in a small model, whatever is asked for. */
 #define NO_IDS                                                                                     \
     -2, 0, 99, NODE(99), JOINT(99), BEAM_ELEMENT(99), SHELL_ELEMENT(99), FORCE(99), RELATION(99),  \
-        PARAMETER(99), INT32_MAX, INT32_MIN
+        PARAMETER(99), LOAD(99), BEAM_LOAD(99), SHELL_LOAD(99), INERTIA(99), PRESCRIBED(99),       \
+        INT32_MAX, INT32_MIN
 
 #endif

@@ -40,7 +40,8 @@ int main(void)
     PDN_INIT(pdn_signal, &load);
     CHECK_STATUS(pdn_signal_set_harmonics(&load, 10, 0, &weight, &(double){0}, 1), PDN_OK);
     CHECK_STATUS(
-        pdn_model_add_load(model, parts.beam.last, PDN_FRAME_SPACE, PDN_FORCE_2, &load), PDN_OK);
+        pdn_model_add_load(model, parts.beam.last, PDN_FRAME_SPACE, PDN_FORCE_2, &load, NULL),
+        PDN_OK);
     for (int32_t i = 0; i < 2; i++) {
         for (int32_t threads = 1; threads <= 2; threads++) {
             PDN_INIT(pdn_periodic_options, &periodic);

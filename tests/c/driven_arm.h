@@ -26,7 +26,7 @@ static pdn_model *make_driven_arm(size_t elements, size_t order, driven_arm *out
                  PDN_OK);
     PDN_INIT(pdn_signal, &swing);
     CHECK_STATUS(pdn_signal_set_harmonics(&swing, 0, 0, cosines, sines, 1), PDN_OK);
-    CHECK_STATUS(pdn_model_prescribe(model, out->hinge, PDN_ROTATION, &swing), PDN_OK);
+    CHECK_STATUS(pdn_model_prescribe(model, out->hinge, PDN_ROTATION, &swing, NULL), PDN_OK);
     CHECK_STATUS(
         pdn_model_add_spring_damper(model, out->hinge, PDN_ROTATION, 7.0, 0.2, 0.0, &out->spring),
         PDN_OK);

@@ -22,7 +22,7 @@ static inline void turn(struct test_model *out, double rate)
     pdn_signal signal;
     PDN_INIT(pdn_signal, &signal);
     GOOD(pdn_signal_set_harmonics(&signal, 0, rate, NULL, NULL, 0));
-    GOOD(pdn_model_prescribe(out->model, out->joint, PDN_ROTATION, &signal));
+    GOOD(pdn_model_prescribe(out->model, out->joint, PDN_ROTATION, &signal, NULL));
 }
 
 /* The planar four-bar mechanism of c_examples/planar_four_bar.c. */
@@ -86,7 +86,7 @@ static inline struct test_model rotor(size_t elements, size_t points)
         GOOD(
             pdn_model_add_straight_beam(out.model, root, tip, flap, &profile, elements, 3, &blade));
         GOOD(pdn_model_add_rigid_joint(out.model, hub, blade.first, root, &clamp));
-        GOOD(pdn_model_add_load(out.model, blade.last, PDN_FRAME_SPACE, PDN_FORCE_1, &lift));
+        GOOD(pdn_model_add_load(out.model, blade.last, PDN_FRAME_SPACE, PDN_FORCE_1, &lift, NULL));
     }
     GOOD(pdn_model_add_revolute(out.model, PDN_GROUND, hub, centre, shaft, &out.joint));
     GOOD(pdn_model_set_gravity(out.model, gravity));

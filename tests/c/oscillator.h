@@ -21,7 +21,8 @@ static pdn_model *oscillator(int32_t *body, int32_t *slide)
     CHECK_STATUS(
         pdn_model_add_spring_damper(model, *slide, PDN_DISPLACEMENT, STIFFNESS, DAMPING, 0, NULL),
         PDN_OK);
-    CHECK_STATUS(pdn_model_add_load(model, *body, PDN_FRAME_SPACE, PDN_FORCE_3, &force), PDN_OK);
+    CHECK_STATUS(pdn_model_add_load(model, *body, PDN_FRAME_SPACE, PDN_FORCE_3, &force, NULL),
+                 PDN_OK);
     return model;
 }
 

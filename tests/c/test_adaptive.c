@@ -20,7 +20,8 @@ static pdn_model *pendulum(void)
     CHECK_STATUS(pdn_model_add_rigid_body(model, 2, centre, inertia, &rod), PDN_OK);
     CHECK_STATUS(pdn_model_add_revolute(model, PDN_GROUND, rod, origin, axis, &hinge), PDN_OK);
     CHECK_STATUS(pdn_model_add_spring_damper(model, hinge, PDN_ROTATION, 0, 0.8, 0, NULL), PDN_OK);
-    CHECK_STATUS(pdn_model_add_load(model, rod, PDN_FRAME_SPACE, PDN_MOMENT_2, &moment), PDN_OK);
+    CHECK_STATUS(pdn_model_add_load(model, rod, PDN_FRAME_SPACE, PDN_MOMENT_2, &moment, NULL),
+                 PDN_OK);
     CHECK_STATUS(pdn_model_set_gravity(model, down), PDN_OK);
     return model;
 }

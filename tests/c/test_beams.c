@@ -173,7 +173,7 @@ static void bend(const pdn_line *line, const pdn_stations *stations, double *dis
     int i;
     CHECK_STATUS(pdn_model_add_beam(model, line, stations, 2, 9, &beam), PDN_OK);
     hold(model, beam.first, ORIGIN);
-    CHECK_STATUS(pdn_model_add_load(model, beam.last, PDN_FRAME_SPACE, PDN_FORCE_3, &force),
+    CHECK_STATUS(pdn_model_add_load(model, beam.last, PDN_FRAME_SPACE, PDN_FORCE_3, &force, NULL),
                  PDN_OK);
     solution = solve(model, 1);
     CHECK_STATUS(pdn_solution_node_position(solution, beam.last, &time, 1, position), PDN_OK);
@@ -241,11 +241,11 @@ static void loads_along_a_beam_add_up(void)
         double held[6], sum, about;
         CHECK_STATUS(pdn_model_add_distributed_load(model, beam.first_element, beam.elements,
                                                     frames[i], PDN_FORCE_3, &load, fractions,
-                                                    factors, 4),
+                                                    factors, 4, NULL),
                      PDN_OK);
         /* Moment about axis 1 along the last two thirds. */
         CHECK_STATUS(pdn_model_add_distributed_load(model, beam.first_element + 1, 2, frames[i],
-                                                    PDN_MOMENT_1, &moment, NULL, NULL, 0),
+                                                    PDN_MOMENT_1, &moment, NULL, NULL, 0, NULL),
                      PDN_OK);
         solution = solve(model, 1);
         reaction(solution, joint, 0, held);
@@ -298,7 +298,8 @@ static void a_load_at_places_in_untwisted_axes(void)
         signals[6 * i] = constant(1);
     signals[5] = constant(2);
     CHECK_STATUS(pdn_model_add_load_at_places(model, beam.first_element, beam.elements,
-                                              PDN_FRAME_UNTWISTED, given, fractions, signals, 3),
+                                              PDN_FRAME_UNTWISTED, given, fractions, signals, 3,
+                                              NULL),
                  PDN_OK);
     solution = solve(model, 1);
     reaction(solution, joint, 0, held);
@@ -357,7 +358,7 @@ static void bodies_hang_at_a_distance(void)
     pdn_solution *solution;
     double held[6], mass, at[3];
     CHECK_STATUS(pdn_model_add_rigid_body(model, 1, centre, inertia, &body), PDN_OK);
-    CHECK_STATUS(pdn_model_add_mass(model, body, 0.5, point, NULL), PDN_OK);
+    CHECK_STATUS(pdn_model_add_mass(model, body, 0.5, point, NULL, NULL), PDN_OK);
     CHECK_STATUS(pdn_model_add_rigid_joint(model, beam.last, body, centre, &tie), PDN_OK);
     CHECK_STATUS(pdn_model_set_gravity(model, down), PDN_OK);
     CHECK_STATUS(pdn_model_mass(model, &mass, at), PDN_OK);

@@ -320,7 +320,7 @@ static void loads_at_places(void)
         signals[i] = in.signal;
 #define WITH(model, axis_2, fractions, signals)                                                    \
     pdn_model_add_load_at_places(model, in.first_element, in.loaded, in.frame, axis_2, fractions,  \
-                                 signals, in.count)
+                                 signals, in.count, NULL)
 #define CALL WITH(in.model, in.axis, in.fractions, signals)
     REFUSES_NULL(WITH(NULL, in.axis, in.fractions, signals), "model");
     REFUSES_NULL(WITH(in.model, in.axis, NULL, signals), "fractions");
@@ -357,10 +357,10 @@ static void loads(void)
     static const double off[] = {0.1, -0.1, 1.5}, back[] = {-0.5, -1e-9};
 #define CALL                                                                                       \
     pdn_model_add_distributed_load(in.model, in.first_element, in.loaded, in.frame, in.component,  \
-                                   &in.signal, in.fractions, in.factors, in.count)
+                                   &in.signal, in.fractions, in.factors, in.count, NULL)
 #define WITH(model, signal, fractions, factors, count)                                             \
     pdn_model_add_distributed_load(model, BEAM_ELEMENT(0), 2, in.frame, in.component, signal,      \
-                                   fractions, factors, count)
+                                   fractions, factors, count, NULL)
     REFUSES_NULL(WITH(NULL, &in.signal, in.fractions, in.factors, 4), "model");
     REFUSES_NULL(WITH(in.model, NULL, in.fractions, in.factors, 4), "signal");
     REFUSES_NULL(WITH(in.model, &in.signal, NULL, in.factors, 4), "fractions");

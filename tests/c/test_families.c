@@ -298,7 +298,8 @@ static void along_a_load(void)
 
     /* What is wrong with parameters. */
     CHECK_STATUS(pdn_model_add_parameter(model, "load", 1, 1, &load), PDN_ERR_VALUE);
-    CHECK_STATUS(pdn_model_move_number(model, PARAMETER(3), PDN_NUMBER_REST, 0, 0, 1), PDN_ERR_ID);
+    CHECK_STATUS(pdn_model_move_number(model, PARAMETER(3), PDN_NUMBER_REST, FORCE(0), 0, 1),
+                 PDN_ERR_ID);
     CHECK_STATUS(pdn_model_move_number(model, load, PDN_NUMBER_STIFFNESS, FORCE(0), 4, 1),
                  PDN_ERR_ID);
     CHECK_STATUS(pdn_model_move_number(model, load, 99, 0, 0, 1), PDN_ERR_VALUE);

@@ -250,7 +250,8 @@ int main(void)
     model = oscillator(&body, &slide);
     PDN_INIT(pdn_signal, &signal);
     CHECK_STATUS(pdn_signal_set_function(&signal, drive, NULL), PDN_OK);
-    CHECK_STATUS(pdn_model_add_load(model, body, PDN_FRAME_SPACE, PDN_FORCE_3, &signal), PDN_OK);
+    CHECK_STATUS(pdn_model_add_load(model, body, PDN_FRAME_SPACE, PDN_FORCE_3, &signal, NULL),
+                 PDN_OK);
     CHECK_STATUS(pdn_model_add_coordinate_law(model, slide, PDN_DISPLACEMENT, PDN_TANGENTS_GIVEN,
                                               law, NULL, NULL, &law_id),
                  PDN_OK);

@@ -27,7 +27,7 @@ static pdn_model *arm(double *size)
     body = parts.body, hinge = parts.hinge, spring = parts.spring, beam = parts.beam;
     PDN_INIT(pdn_signal, &force);
     CHECK_STATUS(pdn_signal_set_function(&force, push_signal, size), PDN_OK);
-    CHECK_STATUS(pdn_model_add_load(model, beam.last, PDN_FRAME_SPACE, PDN_FORCE_2, &force),
+    CHECK_STATUS(pdn_model_add_load(model, beam.last, PDN_FRAME_SPACE, PDN_FORCE_2, &force, NULL),
                  PDN_OK);
     return model;
 }

@@ -54,7 +54,7 @@ static void begin_slider(void)
 static void prescribe(int32_t coordinate, double mean, double cosine, double sine)
 {
     const pdn_signal signal = harmonic(mean, cosine, sine);
-    CHECK_STATUS(pdn_model_prescribe(model, joint, coordinate, &signal), PDN_OK);
+    CHECK_STATUS(pdn_model_prescribe(model, joint, coordinate, &signal, NULL), PDN_OK);
 }
 
 static void solve(void)

@@ -433,7 +433,7 @@ static void signals_that_go_wrong(void)
     static const char *const messages[] = {
         "force 0: signal callback: expected a finite number at t = ",
         "prescribed rotation 1 of joint 0: signal callback: expected a finite number at t = ",
-        "load on node 0: signal callback: expected a finite number at t = "};
+        "load 0 on node 0: signal callback: expected a finite number at t = "};
     pdn_model *const saved = in.model;
     const int32_t saved_count = expected_forces;
     pdn_signal signal;
@@ -450,10 +450,11 @@ static void signals_that_go_wrong(void)
             CHECK_STATUS(pdn_model_add_actuator(in.model, joint, PDN_ROTATION, &signal, NULL),
                          PDN_OK);
         else if (k == 1)
-            CHECK_STATUS(pdn_model_prescribe(in.model, joint, PDN_ROTATION, &signal), PDN_OK);
+            CHECK_STATUS(pdn_model_prescribe(in.model, joint, PDN_ROTATION, &signal, NULL), PDN_OK);
         else
-            CHECK_STATUS(pdn_model_add_load(in.model, node, PDN_FRAME_SPACE, PDN_MOMENT_3, &signal),
-                         PDN_OK);
+            CHECK_STATUS(
+                pdn_model_add_load(in.model, node, PDN_FRAME_SPACE, PDN_MOMENT_3, &signal, NULL),
+                PDN_OK);
         expected_forces = k == 0;
         REFUSED(SOLVE, PDN_ERR_CALLBACK, messages[k]);
         pdn_model_free(in.model);

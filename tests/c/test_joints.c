@@ -70,7 +70,7 @@ static void prescribe(int32_t coordinate, struct wave w)
     pdn_signal signal;
     PDN_INIT(pdn_signal, &signal);
     CHECK_STATUS(pdn_signal_set_harmonics(&signal, w.mean, w.rate, &w.cosine, &w.sine, 1), PDN_OK);
-    CHECK_STATUS(pdn_model_prescribe(rig.model, rig.joint, coordinate, &signal), PDN_OK);
+    CHECK_STATUS(pdn_model_prescribe(rig.model, rig.joint, coordinate, &signal, NULL), PDN_OK);
 }
 
 static void solve_on(size_t points)

@@ -218,7 +218,8 @@ static void drives_that_do_not_repeat_are_named(void)
         CHECK_STATUS(
             pdn_model_add_cylindrical(in.model, PDN_GROUND, body, in.point, in.axis, &joint),
             PDN_OK);
-        CHECK_STATUS(pdn_model_prescribe(in.model, joint, drives[k].coordinate, &signal), PDN_OK);
+        CHECK_STATUS(pdn_model_prescribe(in.model, joint, drives[k].coordinate, &signal, NULL),
+                     PDN_OK);
         summarise(&expected);
         REFUSED(pdn_solve_periodic(in.model, PERIOD, &options, &out.solution), PDN_ERR_NOT_PERIODIC,
                 drives[k].message);
@@ -232,7 +233,7 @@ static void drives_that_do_not_repeat_are_named(void)
         CHECK_STATUS(
             pdn_model_add_screw(in.model, PDN_GROUND, body, in.point, in.axis, 0.1, &joint),
             PDN_OK);
-        CHECK_STATUS(pdn_model_prescribe(in.model, joint, PDN_ROTATION, &signal), PDN_OK);
+        CHECK_STATUS(pdn_model_prescribe(in.model, joint, PDN_ROTATION, &signal, NULL), PDN_OK);
         summarise(&expected);
         REFUSED(pdn_solve_periodic(in.model, PERIOD, &options, &out.solution), PDN_ERR_NOT_PERIODIC,
                 "prescribed rotation 1 of joint 0: the signal grows by 6.28");
@@ -256,7 +257,7 @@ static void a_locked_mechanism_is_named(void)
                  PDN_OK);
     PDN_INIT(pdn_signal, &signal);
     CHECK_STATUS(pdn_signal_set_harmonics(&signal, 0, 0, &one, &none, 1), PDN_OK);
-    CHECK_STATUS(pdn_model_prescribe(model, JOINT(0), PDN_DISPLACEMENT, &signal), PDN_OK);
+    CHECK_STATUS(pdn_model_prescribe(model, JOINT(0), PDN_DISPLACEMENT, &signal, NULL), PDN_OK);
     CHECK(outcome_of(model, "locked: prescribed coordinate 0 cannot move as prescribed, since "
                             "joints 0, 1 leave no freedom") == PDN_INCONSISTENT);
     pdn_model_free(model);
@@ -317,7 +318,7 @@ static void a_strut_without_length_is_named(void)
                  PDN_OK);
     PDN_INIT(pdn_signal, &signal);
     CHECK_STATUS(pdn_signal_set_constant(&signal, -0.25), PDN_OK);
-    CHECK_STATUS(pdn_model_prescribe(in.model, slider, PDN_DISPLACEMENT, &signal), PDN_OK);
+    CHECK_STATUS(pdn_model_prescribe(in.model, slider, PDN_DISPLACEMENT, &signal, NULL), PDN_OK);
     summarise(&expected);
     {
         pdn_solution *solution = NULL;

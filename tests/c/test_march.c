@@ -304,8 +304,9 @@ static void refusals_of_each_argument(void)
     REFUSED(march(), PDN_ERR_VALUE, "options.period: expected the period that the motion repeats");
     in.options.periodic_tolerance = 0;
     in.options.duration = 1;
-    REFUSED(march(), PDN_ERR_VALUE,
-            "options.period: expected the period of the harmonics of the signal of load on node 0");
+    REFUSED(
+        march(), PDN_ERR_VALUE,
+        "options.period: expected the period of the harmonics of the signal of load 0 on node 0");
     in.options.stored_periods = 1;
     REFUSED(march(), PDN_ERR_VALUE, "options.period: expected the period, to store the last");
     in.options.stored_periods = 0;

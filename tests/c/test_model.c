@@ -234,9 +234,9 @@ static void spatial_mechanism(void)
     CHECK(flywheel == NODE(26));
     CHECK_STATUS(pdn_model_add_rigid_joint(model, crank.last, flywheel, D, &wheel_joint), PDN_OK);
     CHECK(wheel_joint == JOINT(4));
-    CHECK_STATUS(pdn_model_add_mass(model, rocker.last, 0.5, tool_centre, flywheel_inertia),
+    CHECK_STATUS(pdn_model_add_mass(model, rocker.last, 0.5, tool_centre, flywheel_inertia, NULL),
                  PDN_OK);
-    CHECK_STATUS(pdn_model_add_mass(model, rocker.last, 0.25, tool_centre, NULL), PDN_OK);
+    CHECK_STATUS(pdn_model_add_mass(model, rocker.last, 0.25, tool_centre, NULL, NULL), PDN_OK);
     CHECK_STATUS(pdn_model_mass(model, &mass, centre), PDN_OK);
     CHECK(near(mass, before + 2.75));
     for (i = 0; i < 3; i++) {
@@ -251,8 +251,8 @@ static void spatial_mechanism(void)
     frame.position[1] = 2.0;
     frame.position[2] = 3.0;
     memcpy(frame.rotation, turned, sizeof turned);
-    CHECK_STATUS(pdn_model_add_inertia(model, flywheel, &frame, matrix), PDN_OK);
-    CHECK_STATUS(pdn_model_add_inertia(model, flywheel, NULL, matrix), PDN_OK);
+    CHECK_STATUS(pdn_model_add_inertia(model, flywheel, &frame, matrix, NULL), PDN_OK);
+    CHECK_STATUS(pdn_model_add_inertia(model, flywheel, NULL, matrix, NULL), PDN_OK);
     CHECK_STATUS(pdn_model_mass(model, &mass, centre), PDN_OK);
     CHECK(near(mass, before + 3.0));
     for (i = 0; i < 3; i++)
@@ -271,7 +271,7 @@ static void spatial_mechanism(void)
     CHECK_STATUS(pdn_model_add_joint(model, PDN_JOINT_RIGID, rocker.last, tool, &frame, &other,
                                      &strut_joint),
                  PDN_OK);
-    CHECK_STATUS(pdn_model_add_mass(model, tool, 0.1, tool_centre, flywheel_inertia), PDN_OK);
+    CHECK_STATUS(pdn_model_add_mass(model, tool, 0.1, tool_centre, flywheel_inertia, NULL), PDN_OK);
 
     /* A curved strut of three nodes, on a joint of each further kind in turn. */
     for (i = 0; i < 3; i++) {
@@ -306,17 +306,19 @@ static void spatial_mechanism(void)
                  PDN_OK);
     PDN_INIT(pdn_signal, &signal);
     CHECK_STATUS(pdn_signal_set_harmonics(&signal, 0.4, 0.3, cosines, sines, 3), PDN_OK);
-    CHECK_STATUS(pdn_model_prescribe(model, motor_D, PDN_ROTATION, &signal), PDN_OK);
+    CHECK_STATUS(pdn_model_prescribe(model, motor_D, PDN_ROTATION, &signal, NULL), PDN_OK);
     CHECK_STATUS(pdn_signal_set_samples(&signal, 0.0, samples, 4), PDN_OK);
-    CHECK_STATUS(pdn_model_add_load(model, rocker.last, PDN_FRAME_SPACE, PDN_FORCE_1, &signal),
-                 PDN_OK);
+    CHECK_STATUS(
+        pdn_model_add_load(model, rocker.last, PDN_FRAME_SPACE, PDN_FORCE_1, &signal, NULL),
+        PDN_OK);
     CHECK_STATUS(pdn_signal_set_function(&signal, ramp, &slope), PDN_OK);
-    CHECK_STATUS(pdn_model_add_load(model, flywheel, PDN_FRAME_MATERIAL, PDN_MOMENT_3, &signal),
-                 PDN_OK);
+    CHECK_STATUS(
+        pdn_model_add_load(model, flywheel, PDN_FRAME_MATERIAL, PDN_MOMENT_3, &signal, NULL),
+        PDN_OK);
     CHECK_STATUS(pdn_signal_set_constant(&signal, 2.0 * pi), PDN_OK);
     for (i = PDN_FORCE_1; i <= PDN_MOMENT_3; i++)
-        CHECK_STATUS(pdn_model_add_load(model, tool, PDN_FRAME_SPACE, i, &signal), PDN_OK);
-    CHECK_STATUS(pdn_model_prescribe(model, cardan_C, PDN_ROTATION_2, &signal), PDN_OK);
+        CHECK_STATUS(pdn_model_add_load(model, tool, PDN_FRAME_SPACE, i, &signal, NULL), PDN_OK);
+    CHECK_STATUS(pdn_model_prescribe(model, cardan_C, PDN_ROTATION_2, &signal, NULL), PDN_OK);
     CHECK_STATUS(pdn_model_set_gravity(model, down), PDN_OK);
 
     CHECK(nodes(model) == 31 && joints(model) == 9 && elements(model) == 13);

@@ -371,9 +371,9 @@ static void nodes_and_masses(void)
                  "inertia: expected a symmetric matrix");
 #undef CALL
 
-#define CALL pdn_model_add_mass(in.model, in.node, in.mass, in.point, in.inertia)
-    REFUSES_NULL(pdn_model_add_mass(NULL, in.node, 1, in.point, in.inertia), "model");
-    REFUSES_NULL(pdn_model_add_mass(in.model, in.node, 1, NULL, in.inertia), "centre");
+#define CALL pdn_model_add_mass(in.model, in.node, in.mass, in.point, in.inertia, NULL)
+    REFUSES_NULL(pdn_model_add_mass(NULL, in.node, 1, in.point, in.inertia, NULL), "model");
+    REFUSES_NULL(pdn_model_add_mass(in.model, in.node, 1, NULL, in.inertia, NULL), "centre");
     REFUSES_IDS(in.node, bad_ids, CALL, "node");
     REFUSES_NOT_FINITE(in.mass, CALL, "mass");
     REFUSES_EACH(in.mass, double, negative, CALL, PDN_ERR_VALUE, "mass: expected ");
@@ -387,9 +387,9 @@ static void nodes_and_masses(void)
                  "inertia about the node[");
 #undef CALL
 
-#define CALL pdn_model_add_inertia(in.model, in.node, &in.frame, in.matrix)
-    REFUSES_NULL(pdn_model_add_inertia(NULL, in.node, &in.frame, in.matrix), "model");
-    REFUSES_NULL(pdn_model_add_inertia(in.model, in.node, &in.frame, NULL), "matrix");
+#define CALL pdn_model_add_inertia(in.model, in.node, &in.frame, in.matrix, NULL)
+    REFUSES_NULL(pdn_model_add_inertia(NULL, in.node, &in.frame, in.matrix, NULL), "model");
+    REFUSES_NULL(pdn_model_add_inertia(in.model, in.node, &in.frame, NULL, NULL), "matrix");
     REFUSES_IDS(in.node, bad_ids, CALL, "node");
     REFUSES_BAD_FRAMES(in.frame, CALL, "frame");
     REFUSES_NOT_FINITE_ENTRIES(in.matrix, LENGTH(in.matrix), CALL, "matrix");
@@ -574,22 +574,23 @@ static void forces(void)
             PDN_ERR_NOT_AVAILABLE, "coordinate: expected one of a rigid joint ");
 #undef CALL
 
-#define CALL pdn_model_prescribe(in.model, in.joint, in.coordinate, &in.signal)
-    REFUSES_NULL(pdn_model_prescribe(NULL, JOINT(0), in.coordinate, &in.signal), "model");
-    REFUSES_NULL(pdn_model_prescribe(model, JOINT(0), in.coordinate, NULL), "signal");
+#define CALL pdn_model_prescribe(in.model, in.joint, in.coordinate, &in.signal, NULL)
+    REFUSES_NULL(pdn_model_prescribe(NULL, JOINT(0), in.coordinate, &in.signal, NULL), "model");
+    REFUSES_NULL(pdn_model_prescribe(model, JOINT(0), in.coordinate, NULL, NULL), "signal");
     REFUSES_IDS(in.joint, bad_ids, CALL, "joint");
     REFUSES_ENUMS(in.coordinate, CALL, "coordinate");
     REFUSES_BAD_SIGNALS(CALL);
-    REFUSED(pdn_model_prescribe(model, JOINT(0), PDN_ROTATION_3, &in.signal), PDN_ERR_NOT_AVAILABLE,
-            "coordinate: expected one of a revolute joint ");
+    REFUSED(pdn_model_prescribe(model, JOINT(0), PDN_ROTATION_3, &in.signal, NULL),
+            PDN_ERR_NOT_AVAILABLE, "coordinate: expected one of a revolute joint ");
     CHECK_STATUS(CALL, PDN_OK);
     REFUSED(CALL, PDN_ERR_VALUE, "coordinate: expected one that is not prescribed yet");
 #undef CALL
 
-#define CALL pdn_model_add_load(in.model, in.node, in.load_frame, in.component, &in.signal)
-    REFUSES_NULL(pdn_model_add_load(NULL, NODE(0), in.load_frame, in.component, &in.signal),
+#define CALL pdn_model_add_load(in.model, in.node, in.load_frame, in.component, &in.signal, NULL)
+    REFUSES_NULL(pdn_model_add_load(NULL, NODE(0), in.load_frame, in.component, &in.signal, NULL),
                  "model");
-    REFUSES_NULL(pdn_model_add_load(model, NODE(0), in.load_frame, in.component, NULL), "signal");
+    REFUSES_NULL(pdn_model_add_load(model, NODE(0), in.load_frame, in.component, NULL, NULL),
+                 "signal");
     REFUSES_IDS(in.node, bad_ids, CALL, "node");
     REFUSES_ENUMS(in.load_frame, CALL, "frame");
     REFUSES_ENUMS(in.component, CALL, "component");

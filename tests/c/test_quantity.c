@@ -29,7 +29,8 @@ static void solve(void)
     PDN_INIT(pdn_signal, &force);
     CHECK_STATUS(pdn_signal_set_harmonics(&force, 4, 0, cosines, sines, 1), PDN_OK);
     CHECK_STATUS(
-        pdn_model_add_load(model, parts.beam.last, PDN_FRAME_SPACE, PDN_FORCE_2, &force), PDN_OK);
+        pdn_model_add_load(model, parts.beam.last, PDN_FRAME_SPACE, PDN_FORCE_2, &force, NULL),
+        PDN_OK);
     PDN_INIT(pdn_periodic_options, &options);
     options.grid_points = 9;
     CHECK_STATUS(pdn_solve_periodic(model, PERIOD, &options, &solution), PDN_OK);

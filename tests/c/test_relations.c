@@ -129,7 +129,7 @@ static void a_signal_shifts_what_is_geared(void)
         joints[i] = wheel(model, i, 0.3);
     PDN_INIT(pdn_signal, &signal);
     CHECK_STATUS(pdn_signal_set_harmonics(&signal, 0, OMEGA, NULL, NULL, 0), PDN_OK);
-    CHECK_STATUS(pdn_model_prescribe(model, joints[0], PDN_ROTATION, &signal), PDN_OK);
+    CHECK_STATUS(pdn_model_prescribe(model, joints[0], PDN_ROTATION, &signal, NULL), PDN_OK);
     CHECK_STATUS(pdn_signal_set_harmonics(&signal, 0.1, 0, cosines, sines, 1), PDN_OK);
     CHECK_STATUS(
         pdn_model_add_relation(model, joints, coordinates, coefficients, 2, &signal, &relation),
@@ -153,7 +153,7 @@ static void a_signal_shifts_what_is_geared(void)
     for (i = 0; i < 2; i++)
         joints[i] = wheel(model, i, 0.3);
     CHECK_STATUS(pdn_signal_set_harmonics(&signal, 0, OMEGA, NULL, NULL, 0), PDN_OK);
-    CHECK_STATUS(pdn_model_prescribe(model, joints[1], PDN_ROTATION, &signal), PDN_OK);
+    CHECK_STATUS(pdn_model_prescribe(model, joints[1], PDN_ROTATION, &signal, NULL), PDN_OK);
     CHECK_STATUS(pdn_model_add_relation(model, joints, coordinates, coefficients, 2, NULL, NULL),
                  PDN_OK);
     CHECK_STATUS(pdn_solve_periodic(model, PERIOD, NULL, &solution), PDN_ERR_NOT_PERIODIC);
@@ -195,9 +195,9 @@ static void a_bearing_carries_a_rotor(void)
         pdn_model_add_joint(model, PDN_JOINT_FREE, PDN_GROUND, body, &frame, &frame, &shaft),
         PDN_OK);
     PDN_INIT(pdn_signal, &signal);
-    CHECK_STATUS(pdn_model_prescribe(model, shaft, PDN_DISPLACEMENT_3, &signal), PDN_OK);
+    CHECK_STATUS(pdn_model_prescribe(model, shaft, PDN_DISPLACEMENT_3, &signal, NULL), PDN_OK);
     CHECK_STATUS(pdn_signal_set_harmonics(&signal, 0, spin, NULL, NULL, 0), PDN_OK);
-    CHECK_STATUS(pdn_model_prescribe(model, shaft, PDN_ROTATION_3, &signal), PDN_OK);
+    CHECK_STATUS(pdn_model_prescribe(model, shaft, PDN_ROTATION_3, &signal, NULL), PDN_OK);
     solution = solve(model, 2 * PI / spin);
     for (i = 0; i < 2; i++)
         CHECK_STATUS(pdn_solution_joint_coordinate(solution, shaft, PDN_DISPLACEMENT + i, times,

@@ -49,7 +49,7 @@ static void build(double tilt)
     CHECK_STATUS(pdn_model_add_spring_damper(in.model, support, PDN_ROTATION, 50, 5, 0, &spring),
                  PDN_OK);
     CHECK_STATUS(pdn_model_add_revolute(in.model, mast, in.hub[0], origin, up, &shaft), PDN_OK);
-    CHECK_STATUS(pdn_model_prescribe(in.model, shaft, PDN_ROTATION, &turn), PDN_OK);
+    CHECK_STATUS(pdn_model_prescribe(in.model, shaft, PDN_ROTATION, &turn, NULL), PDN_OK);
     for (int i = 0; i < BLADES; ++i) {
         const double c = cos(2 * pi * i / BLADES), s = sin(2 * pi * i / BLADES);
         const double root[3] = {0.2 * c, 0.2 * s, 0}, centre[3] = {c, s, 0}, flap[3] = {s, -c, 0};
@@ -163,7 +163,7 @@ static void unlike_blades_are_refused(void)
     const double centre[3] = {0}, inertia[9] = {0};
     char message[512];
     pdn_solution *solution = NULL;
-    CHECK_STATUS(pdn_model_add_mass(in.model, in.nodes[1], 0.1, centre, inertia), PDN_OK);
+    CHECK_STATUS(pdn_model_add_mass(in.model, in.nodes[1], 0.1, centre, inertia, NULL), PDN_OK);
     CHECK_STATUS(pdn_solve_periodic(in.model, 1, NULL, &solution), PDN_ERR_MODEL);
     pdn_last_error(message, sizeof message);
     CHECK(solution == NULL && strstr(message, "rotor symmetry") && strstr(message, "inertia"));

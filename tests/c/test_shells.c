@@ -278,7 +278,7 @@ static void loads(void)
     PDN_INIT(pdn_signal, &load);
     CHECK_STATUS(pdn_signal_set_constant(&load, traction), PDN_OK);
     CHECK_STATUS(pdn_model_add_shell_load(model, shell.first_element + 1, 1, PDN_SHELL_EDGE_END_XI,
-                                          PDN_FRAME_SPACE, PDN_FORCE_1, &load),
+                                          PDN_FRAME_SPACE, PDN_FORCE_1, &load, NULL),
                  PDN_OK);
     CHECK_STATUS(pdn_solve_static(model, NULL, &solution), PDN_OK);
     CHECK(pdn_solution_outcome(solution) == PDN_CONVERGED);
@@ -360,7 +360,7 @@ static void surface_forces(void)
             PDN_INIT(pdn_signal, &pressure);
             CHECK_STATUS(pdn_signal_set_constant(&pressure, wind.pressure), PDN_OK);
             CHECK_STATUS(pdn_model_add_shell_load(model, SHELL_ELEMENT(1), 1, PDN_SHELL_SURFACE,
-                                                  PDN_FRAME_MATERIAL, PDN_FORCE_3, &pressure),
+                                                  PDN_FRAME_MATERIAL, PDN_FORCE_3, &pressure, NULL),
                          PDN_OK);
         } else {
             pdn_force_info info;
@@ -460,7 +460,7 @@ static void roll_up(void)
     CHECK_STATUS(pdn_signal_set_constant(&moment, -2 * PI * young * h * h * h / 12 / length),
                  PDN_OK);
     CHECK_STATUS(pdn_model_add_shell_load(model, SHELL_ELEMENT(0), 1, PDN_SHELL_EDGE_END_XI,
-                                          PDN_FRAME_MATERIAL, PDN_MOMENT_1, &moment),
+                                          PDN_FRAME_MATERIAL, PDN_MOMENT_1, &moment, NULL),
                  PDN_OK);
     PDN_INIT(pdn_static_options, &options);
     options.load_steps = 4;

@@ -474,7 +474,7 @@ static void loads(void)
     static const int32_t bad_counts[] = {0, 3, -1, INT32_MAX, INT32_MIN};
 #define WITH(model, signal)                                                                        \
     pdn_model_add_shell_load(model, in.first_element, in.loaded, in.place, in.frame, in.component, \
-                             signal)
+                             signal, NULL)
 #define CALL WITH(in.model, &in.signal)
     REFUSES_NULL(WITH(NULL, &in.signal), "model");
     REFUSES_NULL(WITH(in.model, NULL), "signal");

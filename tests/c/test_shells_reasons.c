@@ -209,7 +209,8 @@ static void load(pdn_model *model, int32_t node, int32_t component)
     pdn_signal signal;
     PDN_INIT(pdn_signal, &signal);
     CHECK_STATUS(pdn_signal_set_constant(&signal, 1), PDN_OK);
-    CHECK_STATUS(pdn_model_add_load(model, node, PDN_FRAME_SPACE, component, &signal), PDN_OK);
+    CHECK_STATUS(pdn_model_add_load(model, node, PDN_FRAME_SPACE, component, &signal, NULL),
+                 PDN_OK);
 }
 
 static void couples_of_loads(void)
@@ -277,7 +278,7 @@ static int joint_is_warned_of(int kind)
     if (kind == MOTOR) {
         PDN_INIT(pdn_signal, &swing);
         CHECK_STATUS(pdn_signal_set_constant(&swing, 0), PDN_OK);
-        CHECK_STATUS(pdn_model_prescribe(model, joint, PDN_ROTATION, &swing), PDN_OK);
+        CHECK_STATUS(pdn_model_prescribe(model, joint, PDN_ROTATION, &swing, NULL), PDN_OK);
     }
     if (kind == TWO_NODES) {
         CHECK_STATUS(pdn_model_shell_patch_node(model, &shell, 4, 3, &other), PDN_OK);

@@ -94,7 +94,7 @@ static void build(void)
         PDN_OK);
     one[0] = SWING;
     CHECK_STATUS(pdn_signal_set_harmonics(&signal, 0, OMEGA, zeros, one, 1), PDN_OK);
-    CHECK_STATUS(pdn_model_prescribe(model, motor, PDN_ROTATION, &signal), PDN_OK);
+    CHECK_STATUS(pdn_model_prescribe(model, motor, PDN_ROTATION, &signal, NULL), PDN_OK);
 
     PDN_INIT(pdn_section, &section);
     CHECK_STATUS(pdn_section_set_diagonal(&section, STIFFNESS, no_mass), PDN_OK);
@@ -104,8 +104,9 @@ static void build(void)
     CHECK_STATUS(pdn_model_add_rigid_joint(model, PDN_GROUND, beam.first, ORIGIN, &clamp), PDN_OK);
     one[0] = MOMENT;
     CHECK_STATUS(pdn_signal_set_harmonics(&signal, 0, 0, one, zeros, 1), PDN_OK);
-    CHECK_STATUS(pdn_model_add_load(model, beam.last, PDN_FRAME_MATERIAL, PDN_MOMENT_3, &signal),
-                 PDN_OK);
+    CHECK_STATUS(
+        pdn_model_add_load(model, beam.last, PDN_FRAME_MATERIAL, PDN_MOMENT_3, &signal, NULL),
+        PDN_OK);
 
     CHECK_STATUS(pdn_model_add_rigid_body(model, TOP_MASS, TOP, TOP_INERTIA, &top), PDN_OK);
     CHECK_STATUS(pdn_model_add_spherical(model, PDN_GROUND, top, TOP, &ball), PDN_OK);
@@ -113,7 +114,7 @@ static void build(void)
         memset(one, 0, sizeof one);
         one[i] = TOP_SWING[i];
         CHECK_STATUS(pdn_signal_set_harmonics(&signal, 0, 0, zeros, one, 3), PDN_OK);
-        CHECK_STATUS(pdn_model_prescribe(model, ball, PDN_ROTATION + i, &signal), PDN_OK);
+        CHECK_STATUS(pdn_model_prescribe(model, ball, PDN_ROTATION + i, &signal, NULL), PDN_OK);
     }
 }
 

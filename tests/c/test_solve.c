@@ -40,7 +40,8 @@ static pdn_model *pendulum_with(const pdn_signal *signal)
     CHECK_STATUS(
         pdn_model_add_spring_damper(model, joint, PDN_ROTATION, STIFFNESS, DAMPING, 0.0, NULL),
         PDN_OK);
-    CHECK_STATUS(pdn_model_add_load(model, node, PDN_FRAME_SPACE, PDN_MOMENT_3, signal), PDN_OK);
+    CHECK_STATUS(pdn_model_add_load(model, node, PDN_FRAME_SPACE, PDN_MOMENT_3, signal, NULL),
+                 PDN_OK);
     return model;
 }
 
@@ -155,7 +156,7 @@ static void a_cantilever_bends_by_its_end_moment(void)
                  PDN_OK);
     CHECK_STATUS(pdn_model_add_rigid_joint(model, PDN_GROUND, beam.first, ORIGIN, &clamp), PDN_OK);
     cosine_moment(&signal);
-    CHECK_STATUS(pdn_model_add_load(model, beam.last, PDN_FRAME_SPACE, PDN_MOMENT_3, &signal),
+    CHECK_STATUS(pdn_model_add_load(model, beam.last, PDN_FRAME_SPACE, PDN_MOMENT_3, &signal, NULL),
                  PDN_OK);
     solution = solve(model, &options);
     CHECK(pdn_solution_outcome(solution) == PDN_CONVERGED);
@@ -640,7 +641,7 @@ static void a_failing_function_fails_the_solve(void)
         function.writes = cases[i].writes;
         CHECK_STATUS(pdn_solve_periodic(model, PERIOD, &options, &out), PDN_ERR_CALLBACK);
         CHECK_MESSAGE(cases[i].said);
-        CHECK_MESSAGE("load on node 0: signal");
+        CHECK_MESSAGE("load 0 on node 0: signal");
         CHECK(out == untouched && function.calls == 1);
         CHECK(pdn_last_callback_code() == (function.code != 0 ? function.code : before));
     }
@@ -719,7 +720,7 @@ static void joints_too_many_are_tolerated_or_named(void)
     CHECK_STATUS(pdn_model_add_revolute(model, PDN_GROUND, NODE(0), ORIGIN, across, &joint),
                  PDN_OK);
     cosine_moment(&swing);
-    CHECK_STATUS(pdn_model_prescribe(model, JOINT(0), PDN_ROTATION, &swing), PDN_OK);
+    CHECK_STATUS(pdn_model_prescribe(model, JOINT(0), PDN_ROTATION, &swing, NULL), PDN_OK);
     solution = solve(model, &options);
     CHECK(pdn_solution_outcome(solution) == PDN_INCONSISTENT);
     CHECK(reports(solution, "locked") && reports(solution, "joints 0, 1"));

@@ -96,11 +96,11 @@ static void set_up(void)
     CHECK_STATUS(pdn_model_add_revolute(model, PDN_GROUND, NODE(0), origin, axis, &joint), PDN_OK);
     CHECK_STATUS(pdn_model_add_spring_damper(model, JOINT(0), PDN_ROTATION, 10, 1, 0, NULL),
                  PDN_OK);
-    CHECK_STATUS(pdn_model_add_load(model, NODE(1), PDN_FRAME_MATERIAL, PDN_FORCE_2, &signal),
+    CHECK_STATUS(pdn_model_add_load(model, NODE(1), PDN_FRAME_MATERIAL, PDN_FORCE_2, &signal, NULL),
                  PDN_OK);
     CHECK_STATUS(pdn_model_add_rigid_body(model, 1, end, inertia, &node), PDN_OK);
     CHECK_STATUS(pdn_model_add_revolute(model, PDN_GROUND, node, end, axis, &joint), PDN_OK);
-    CHECK_STATUS(pdn_model_prescribe(model, joint, PDN_ROTATION, &signal), PDN_OK);
+    CHECK_STATUS(pdn_model_prescribe(model, joint, PDN_ROTATION, &signal, NULL), PDN_OK);
 
     memset(&in, 0, sizeof in);
     PDN_INIT(pdn_periodic_options, &in.options);
@@ -254,9 +254,10 @@ static pdn_model *wheel(const pdn_signal *motor, const pdn_signal *load, double 
     CHECK_STATUS(pdn_model_add_spring_damper(made, joint, PDN_ROTATION, stiffness, 1, 0, NULL),
                  PDN_OK);
     if (motor != NULL)
-        CHECK_STATUS(pdn_model_prescribe(made, joint, PDN_ROTATION, motor), PDN_OK);
+        CHECK_STATUS(pdn_model_prescribe(made, joint, PDN_ROTATION, motor, NULL), PDN_OK);
     if (load != NULL)
-        CHECK_STATUS(pdn_model_add_load(made, node, PDN_FRAME_SPACE, PDN_FORCE_1, load), PDN_OK);
+        CHECK_STATUS(pdn_model_add_load(made, node, PDN_FRAME_SPACE, PDN_FORCE_1, load, NULL),
+                     PDN_OK);
     return made;
 }
 
@@ -273,7 +274,7 @@ static void what_does_not_repeat(void)
     pdn_model_free(made);
 
     in.model = made = wheel(NULL, &signal, 1);
-    REFUSED(solve(), PDN_ERR_NOT_PERIODIC, "load on node 0");
+    REFUSED(solve(), PDN_ERR_NOT_PERIODIC, "load 0 on node 0");
     pdn_model_free(made);
 
     CHECK_STATUS(pdn_signal_set_harmonics(&signal, 0, 2 * PI / in.period, NULL, NULL, 0), PDN_OK);

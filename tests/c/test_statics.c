@@ -38,7 +38,8 @@ static void set_up(void)
     CHECK_STATUS(pdn_model_new(&model), PDN_OK);
     CHECK_STATUS(pdn_model_add_rigid_body(model, MASS, centre, inertia, &body), PDN_OK);
     CHECK_STATUS(pdn_model_add_revolute(model, PDN_GROUND, body, origin, axis, &hinge), PDN_OK);
-    CHECK_STATUS(pdn_model_add_load(model, body, PDN_FRAME_SPACE, PDN_FORCE_1, &force), PDN_OK);
+    CHECK_STATUS(pdn_model_add_load(model, body, PDN_FRAME_SPACE, PDN_FORCE_1, &force, NULL),
+                 PDN_OK);
     CHECK_STATUS(pdn_model_set_gravity(model, gravity), PDN_OK);
     in.model = model;
     PDN_INIT(pdn_static_options, &in.options);
@@ -171,8 +172,9 @@ static void refusals_of_each_argument(void)
 
     /* Harmonics at a time of a period that was not given. */
     in.options.time = 0.3;
-    REFUSED(solve(), PDN_ERR_VALUE,
-            "options.period: expected the period of the harmonics of the signal of load on node 0");
+    REFUSED(
+        solve(), PDN_ERR_VALUE,
+        "options.period: expected the period of the harmonics of the signal of load 0 on node 0");
     in.options.time = 0;
     /* Gravity across the axis. */
     in.options.angular_velocity[0] = 1;

@@ -57,7 +57,7 @@ static void figures_of_a_small_model(void)
     /* A driven hinge takes one more freedom. */
     PDN_INIT(pdn_signal, &swing);
     CHECK_STATUS(pdn_signal_set_harmonics(&swing, 0, 0, cosines, sines, 1), PDN_OK);
-    CHECK_STATUS(pdn_model_prescribe(model, hinge, PDN_ROTATION, &swing), PDN_OK);
+    CHECK_STATUS(pdn_model_prescribe(model, hinge, PDN_ROTATION, &swing, NULL), PDN_OK);
     summary = summary_of(model);
     CHECK(summary.prescribed == 1 && summary.constraints == 11 && summary.mobility == 6);
     pdn_model_free(model);

@@ -27,7 +27,7 @@ static int32_t forces(const pdn_force_state *state, pdn_force_values *out, void 
 
 static pdn_status prescribe(const int32_t *v)
 {
-    return pdn_model_prescribe(model, v[0], v[1], &signal);
+    return pdn_model_prescribe(model, v[0], v[1], &signal, NULL);
 }
 
 static pdn_status add_joint(const int32_t *v)
@@ -39,17 +39,18 @@ static pdn_status add_joint(const int32_t *v)
 
 static pdn_status add_load(const int32_t *v)
 {
-    return pdn_model_add_load(model, v[0], v[1], v[2], &signal);
+    return pdn_model_add_load(model, v[0], v[1], v[2], &signal, NULL);
 }
 
 static pdn_status add_distributed_load(const int32_t *v)
 {
-    return pdn_model_add_distributed_load(model, v[0], v[1], v[2], v[3], &signal, NULL, NULL, 0);
+    return pdn_model_add_distributed_load(model, v[0], v[1], v[2], v[3], &signal, NULL, NULL, 0,
+                                          NULL);
 }
 
 static pdn_status add_shell_load(const int32_t *v)
 {
-    return pdn_model_add_shell_load(model, v[0], v[1], v[2], v[3], v[4], &signal);
+    return pdn_model_add_shell_load(model, v[0], v[1], v[2], v[3], v[4], &signal, NULL);
 }
 
 static pdn_status add_spring_damper(const int32_t *v)
@@ -186,9 +187,32 @@ static const struct {
     {"user force", add_user_force, 2, {PDN_FRAME_SPACE, PDN_TANGENTS_DIFFERENCED}},
     {"label", set_label, 2, {PDN_OBJECT_NODE, NODE(0)}},
     {"number", move_number, 4, {PARAMETER(0), PDN_NUMBER_STIFFNESS, FORCE(0), 1}},
-    {"signal", move_signal, 5, {PARAMETER(0), PDN_SIGNAL_OF_LOAD, 0, PDN_FORCE_1, PDN_PART_MEAN}},
+    {"inertia", move_number, 3, {PARAMETER(0), PDN_NUMBER_INERTIA, INERTIA(1)}},
+    {"label of a load", set_label, 2, {PDN_OBJECT_LOAD, LOAD(0)}},
+    {"label of an inertia", set_label, 2, {PDN_OBJECT_INERTIA, INERTIA(0)}},
+    {"label of a drive", set_label, 2, {PDN_OBJECT_PRESCRIBED, PRESCRIBED(0)}},
+    {"signal of a drive",
+     move_signal,
+     5,
+     {PARAMETER(0), PDN_SIGNAL_OF_PRESCRIBED, PRESCRIBED(0), 0, PDN_PART_MEAN}},
+    {"signal of a beam load",
+     move_signal,
+     5,
+     {PARAMETER(0), PDN_SIGNAL_OF_BEAM_LOAD, BEAM_LOAD(0), PDN_FORCE_1, PDN_PART_MEAN}},
+    {"signal of a shell load",
+     move_signal,
+     5,
+     {PARAMETER(0), PDN_SIGNAL_OF_SHELL_LOAD, SHELL_LOAD(0), PDN_FORCE_1, PDN_PART_MEAN}},
+    {"signal",
+     move_signal,
+     5,
+     {PARAMETER(0), PDN_SIGNAL_OF_LOAD, LOAD(0), PDN_FORCE_1, PDN_PART_MEAN}},
     {"force number", force_number, 3, {FORCE(0), PDN_NUMBER_STIFFNESS, 0}},
-    {"sample", sample_signal, 3, {PDN_SIGNAL_OF_LOAD, 0, PDN_FORCE_1}},
+    {"sample", sample_signal, 3, {PDN_SIGNAL_OF_LOAD, LOAD(0), PDN_FORCE_1}},
+    {"sample of a prescribed coordinate",
+     sample_signal,
+     2,
+     {PDN_SIGNAL_OF_PRESCRIBED, PRESCRIBED(0)}},
     {"velocity", node_velocity, 2, {NODE(0), PDN_FRAME_SPACE}},
     {"acceleration", node_acceleration, 2, {NODE(0), PDN_FRAME_MATERIAL}},
     {"coordinate", joint_coordinate, 2, {JOINT(0), PDN_ROTATION}},
@@ -226,8 +250,9 @@ static pdn_model *made(void)
     }
     PDN_INIT(pdn_signal, &signal);
     CHECK_STATUS(pdn_signal_set_constant(&signal, 0.1), PDN_OK);
-    CHECK_STATUS(pdn_model_prescribe(out, JOINT(1), PDN_ROTATION, &signal), PDN_OK);
-    CHECK_STATUS(pdn_model_add_load(out, NODE(0), PDN_FRAME_SPACE, PDN_FORCE_1, &signal), PDN_OK);
+    CHECK_STATUS(pdn_model_prescribe(out, JOINT(1), PDN_ROTATION, &signal, NULL), PDN_OK);
+    CHECK_STATUS(pdn_model_add_load(out, NODE(0), PDN_FRAME_SPACE, PDN_FORCE_1, &signal, NULL),
+                 PDN_OK);
     PDN_INIT(pdn_section, &section);
     for (i = 0; i < 6; i++)
         section.stiffness[7 * i] = stiffness[i];
@@ -250,6 +275,14 @@ static pdn_model *made(void)
     CHECK_STATUS(pdn_model_add_shell(out, &surface, 1, 1, 1, 1, 0, &plate, NULL, &shell), PDN_OK);
     CHECK_STATUS(pdn_model_shell_node(out, shell.first_element, 0, 0, &id), PDN_OK);
     CHECK_STATUS(pdn_model_add_rigid_joint(out, PDN_GROUND, id, x, &id), PDN_OK);
+    CHECK_STATUS(pdn_model_add_distributed_load(out, beam.first_element, 1, PDN_FRAME_SPACE,
+                                                PDN_FORCE_1, &signal, NULL, NULL, 0, &id),
+                 PDN_OK);
+    CHECK(id == BEAM_LOAD(0));
+    CHECK_STATUS(pdn_model_add_shell_load(out, shell.first_element, 1, PDN_SHELL_SURFACE,
+                                          PDN_FRAME_SPACE, PDN_FORCE_1, &signal, &id),
+                 PDN_OK);
+    CHECK(id == SHELL_LOAD(0));
     CHECK_STATUS(pdn_model_add_parameter(out, "p", 1, 1, &id), PDN_OK);
     return out;
 }

@@ -35,7 +35,7 @@ int main(void)
     TRY(pdn_model_add_spring_damper(model, hinge, PDN_ROTATION, stiffness, damping, 0, NULL));
     PDN_INIT(pdn_signal, &moment);
     TRY(pdn_signal_set_harmonics(&moment, 0, 0, &cosine, &sine, 1));
-    TRY(pdn_model_add_load(model, body, PDN_FRAME_SPACE, PDN_MOMENT_3, &moment));
+    TRY(pdn_model_add_load(model, body, PDN_FRAME_SPACE, PDN_MOMENT_3, &moment, NULL));
     TRY(pdn_solve_periodic(model, period, NULL, &solution));
     TRY(pdn_solution_joint_coordinate(solution, hinge, PDN_ROTATION, &start, 1, &angle));
 

@@ -218,14 +218,23 @@ static void beams()
     CHECK(curved.add_beam_element({one, other}, thin) == pdn::first_beam_element + 6);
     NEAR(curved.mass().mass, 2 * (pi / 2) * 2 + 2, 1e-4); // the error of the mesh
 
-    curved.add_distributed_load(arc.first_element, arc.elements, pdn::Frame::space,
-                                pdn::Component::force_3, 2.0, {0, 1}, {1, 2});
+    const auto growing =
+        curved.add_distributed_load(arc.first_element, arc.elements, pdn::Frame::space,
+                                    pdn::Component::force_3, 2.0, {0, 1}, {1, 2});
+    CHECK(growing == pdn::first_beam_load);
     curved.add_distributed_load(curve.first_element, 1, pdn::Frame::material,
                                 pdn::Component::moment_1, [](double) { return 0.0; });
-    curved.add_load_at_places(
+    const auto at_start = curved.add_load_at_places(
         curve.first_element, curve.elements, pdn::Frame::untwisted, {0, 1},
         {{0.0, 1.0, [](double) { return 2.0; }, 0.0, 0.0, 0.0}, {0.0, 0.0, 0.0, 0.0, 0.0, 0.0}},
         axis_3);
+    CHECK(at_start == pdn::first_beam_load + 2 && curved.beam_load_count() == 4);
+    const pdn::BeamLoad grown = curved.beam_load(growing);
+    CHECK(grown.first_element == arc.first_element && grown.elements == arc.elements);
+    CHECK(grown.frame == pdn::Frame::space && grown.fractions == std::vector<double>({0, 1}));
+    CHECK(grown.factors == std::vector<double>({1, 2}));
+    CHECK(curved.beam_load(at_start).axis_2 == axis_3);
+    CHECK(curved.sample_signal(pdn::SignalOf::beam_load, at_start, PDN_FORCE_3, 1, {0.3})[0] == 2);
     thin.set_component_damping({1e-4, 1e-4, 1e-4, 2e-4, 2e-4, 2e-4});
     CHECK(thin.damping[21] == 2e-4 * thin.stiffness[21]);
 }
@@ -243,10 +252,10 @@ static void everything()
     }();
     const auto a = m.add_rigid_body(1, origin, identity);
     const auto b = m.add_rigid_body(2, {3, 0, 0}, identity);
-    m.add_mass(a, 1, axis_1);
-    m.add_mass(a, 1, axis_1, identity);
-    m.add_inertia(b, unit);
-    m.add_inertia(b, at_origin, unit);
+    CHECK(m.add_mass(a, 1, axis_1) == pdn::first_inertia + 2);
+    CHECK(m.add_mass(a, 1, axis_1, identity) == pdn::first_inertia + 3);
+    CHECK(m.add_inertia(b, unit) == pdn::first_inertia + 4);
+    CHECK(m.add_inertia(b, at_origin, unit) == pdn::first_inertia + 5);
     std::int32_t joints = 0;
     for (const auto joint : {
              m.add_prismatic(pdn::ground, a, origin, axis_3),
@@ -264,8 +273,9 @@ static void everything()
         CHECK(joint == pdn::first_joint + joints++);
     }
     CHECK(m.joint_count() == joints);
-    m.prescribe(pdn::first_joint, Coordinate::displacement, 0.1);
-    m.prescribe(joint(8), Coordinate::rotation, pdn::Signal::samples(0, {0, 0.1, 0}));
+    CHECK(m.prescribe(pdn::first_joint, Coordinate::displacement, 0.1) == pdn::first_prescribed);
+    CHECK(m.prescribe(joint(8), Coordinate::rotation, pdn::Signal::samples(0, {0, 0.1, 0})) ==
+          pdn::first_prescribed + 1);
     m.set_gravity({0, 0, -9.81});
     m.set_gravity(0.0, 0.0, [](double) { return -9.81; });
     m.set_turning_frame({0, 0, 2}, 1.5, {1, 0, 0});
@@ -336,9 +346,13 @@ static void everything()
     CHECK(m.force_number(pdn::first_force + 1, pdn::ForceNumber::stiffness, 2) == 2);
     CHECK(m.relation_terms(pdn::first_relation)[1].coefficient == -2);
     CHECK(m.relation_terms(pdn::first_relation)[1].coordinate == Coordinate::rotation);
-    CHECK(m.prescribed(1).first == joint(8));
-    CHECK(m.inertia_count() > 2 && m.inertia(0).first == a);
-    CHECK(m.load_count() == 0);
+    CHECK(m.prescribed(pdn::first_prescribed + 1).first == joint(8));
+    CHECK(m.inertia_count() == 6 && m.inertia(pdn::first_inertia + 4).first == b);
+    CHECK(m.inertia_of(b) == pdn::first_inertia + 1);
+    CHECK(m.load_count() == 0 && m.shell_load_count() == 0);
+    const auto speed = m.add_parameter("speed", 3, 2);
+    CHECK(m.parameter_count() == 1 && m.parameter_name(speed) == "speed");
+    CHECK(m.find_parameter("speed") == speed && m.parameter(speed).first == 3);
     CHECK(m.sample_signal(pdn::SignalOf::gravity, 0, 2, 1, {0, 0.3})[1] == -9.81);
     CHECK(m.force_count() == forces);
     NEAR(m.mass().mass, 7, 1e-15);

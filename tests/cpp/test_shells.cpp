@@ -15,8 +15,12 @@ double stretch_of(pdn::Model &model, std::int32_t first_clamped, std::int32_t lo
     CHECK(model.add_rigid_joints(pdn::ground, clamped).size() == clamped.size());
     const double before = model.node_frame(tip).position[0];
     CHECK(model.node_frame(first_clamped).position[0] == 0);
-    model.add_shell_load(loaded_element, 1, pdn::ShellPlace::edge_end_xi, pdn::Frame::space,
-                         pdn::Component::force_1, 600.0);
+    const auto load =
+        model.add_shell_load(loaded_element, 1, pdn::ShellPlace::edge_end_xi, pdn::Frame::space,
+                             pdn::Component::force_1, 600.0);
+    CHECK(load == pdn::first_shell_load && model.shell_load_count() == 1);
+    CHECK(model.shell_load(load).first_element == loaded_element);
+    CHECK(model.shell_load(load).place == pdn::ShellPlace::edge_end_xi);
     const auto solution = pdn::solve_static(model);
     CHECK(solution.converged());
     const pdn::Quantity stress(pdn::Kind::stress_top, loaded_element, {0.5, 0}, {1, 0, 0});

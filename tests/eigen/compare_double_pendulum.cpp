@@ -90,7 +90,8 @@ Pendulum pendulum() {
         pdn_signal moment;
         PDN_INIT(pdn_signal, &moment);
         must(pdn_signal_set_harmonics(&moment, torque_mean * p.axis(c), 0, cosines, sines, 2));
-        must(pdn_model_add_load(model, p.body[0], PDN_FRAME_SPACE, PDN_MOMENT_1 + c, &moment));
+        must(pdn_model_add_load(model, p.body[0], PDN_FRAME_SPACE, PDN_MOMENT_1 + c, &moment,
+                                nullptr));
     }
     return p;
 }

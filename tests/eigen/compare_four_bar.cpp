@@ -60,7 +60,7 @@ void join(Mechanism &m, const FourBar &data) {
     PDN_INIT(pdn_signal, &turn);
     const double cosines[] = {-1.0 / 3, 0, -1.0 / 21}, sines[] = {0, 0.1, 0};
     must(pdn_signal_set_harmonics(&turn, 1.0 / 3 + 1.0 / 21, 0.3, cosines, sines, 3));
-    must(pdn_model_prescribe(model, m.motor, PDN_ROTATION, &turn));
+    must(pdn_model_prescribe(model, m.motor, PDN_ROTATION, &turn, nullptr));
 }
 
 Mechanism empty() {

@@ -104,7 +104,8 @@ void add_load(pdn_model *model, int32_t node, int32_t first_component, const Vec
         pdn_signal signal;
         PDN_INIT(pdn_signal, &signal);
         must(pdn_signal_set_harmonics(&signal, wave.mean * direction(c), 0, &cosine, &sine, 1));
-        must(pdn_model_add_load(model, node, PDN_FRAME_SPACE, first_component + c, &signal));
+        must(pdn_model_add_load(model, node, PDN_FRAME_SPACE, first_component + c, &signal,
+                                nullptr));
     }
 }
 
@@ -215,7 +216,7 @@ void check_driven(Checks &check) {
     pdn_signal turn;
     PDN_INIT(pdn_signal, &turn);
     must(pdn_signal_set_harmonics(&turn, 0, omega, &cosine, &sine, 1));
-    must(pdn_model_prescribe(m.model.get(), m.shaft, PDN_ROTATION, &turn));
+    must(pdn_model_prescribe(m.model.get(), m.shaft, PDN_ROTATION, &turn, nullptr));
     const Solution solution = solve(check, m, n);
 
     std::vector<double> times(n);

@@ -93,11 +93,12 @@ contains
         call refused(stat, errmsg, PDN_ERR_ID, 'node: ')
         call m%add_inertia(body, unit, stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_VALUE, 'matrix: ')
-        call m%add_inertia(body, unit, frame_at(nan*axis_1), stat, errmsg)
+        call m%add_inertia(body, unit, frame_at(nan*axis_1), stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_NOT_FINITE, 'frame position[0]: ')
-        call m%add_load(body, 2, PDN_FORCE_1, pdn_constant(1.0_dp), stat, errmsg)
+        call m%add_load(body, 2, PDN_FORCE_1, pdn_constant(1.0_dp), stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_VALUE, 'frame: ')
-        call m%add_load(4, PDN_FRAME_SPACE, PDN_FORCE_1, pdn_constant(1.0_dp), stat, errmsg)
+        call m%add_load(4, PDN_FRAME_SPACE, PDN_FORCE_1, pdn_constant(1.0_dp), stat=stat, &
+            errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_ID, 'node: ')
         call m%set_gravity([0.0_dp, 0.0_dp, nan], stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_NOT_FINITE, 'acceleration[2]: ')
@@ -138,7 +139,7 @@ contains
         call m%add_screw_between(PDN_GROUND, body, frame_at(origin), frame_at(origin), nan, id, &
             stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_NOT_FINITE, 'pitch: ')
-        call m%prescribe(hinge, PDN_DISPLACEMENT, pdn_constant(0.0_dp), stat, errmsg)
+        call m%prescribe(hinge, PDN_DISPLACEMENT, pdn_constant(0.0_dp), stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_NOT_AVAILABLE, 'coordinate: ')
 
         call m%add_beam_element([body], steel(), id, stat, errmsg)
@@ -162,7 +163,7 @@ contains
             stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_ID, 'first_element: ')
         call m%add_distributed_load(0, 1, PDN_FRAME_SPACE, PDN_FORCE_1, pdn_constant(1.0_dp), &
-            [0.0_dp, 1.0_dp], [1.0_dp], stat, errmsg)
+            [0.0_dp, 1.0_dp], [1.0_dp], stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_SIZE, 'factors: ')
         call m%add_load_at_places(0, 1, PDN_FRAME_SPACE, [0.0_dp, 1.0_dp], &
             reshape([pdn_constant(1.0_dp)], [1, 1]), stat=stat, errmsg=errmsg)

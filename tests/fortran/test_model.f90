@@ -197,8 +197,8 @@ contains
         type(pdn_beam) :: beam, curve
         type(pdn_frame) :: middle, same
         type(pdn_signal) :: load(12)
-        integer :: root, element, first, second, elements, i
-        real(dp) :: position(3, 1), strain(6, 1), force(6, 2), mean(6), none(6, 0)
+        integer :: root, element, first, second, elements, frame, places, id, i
+        real(dp) :: position(3, 1), strain(6, 1), force(6, 2), mean(6), none(6, 0), told(3)
 
         thin = steel()
         thick = steel()
@@ -255,7 +255,15 @@ contains
             load(i) = pdn_constant(real(i, dp))
         end do
         call model%add_load_at_places(curve%first_element, curve%elements, PDN_FRAME_UNTWISTED, &
-            [0.0_dp, 1.0_dp], reshape(load, [6, 2]), axis_3)
+            [0.0_dp, 1.0_dp], reshape(load, [6, 2]), axis_3, id)
+        call check(id == PDN_FIRST_BEAM_LOAD + 2, 'loads at places')
+        call model%beam_load(PDN_FIRST_BEAM_LOAD, element, elements, frame, places)
+        call check(element == curve%first_element .and. frame == PDN_FRAME_SPACE .and. &
+            places == 2, 'beam load')
+        call model%beam_load(id, element, elements, frame, places, told)
+        call check(frame == PDN_FRAME_UNTWISTED .and. all(told == axis_3), 'untwisted')
+        call model%beam_load_factor(PDN_FIRST_BEAM_LOAD, 1, told(1), told(2))
+        call check(all(told(:2) == [1.0_dp, 2.0_dp]), 'factor')
     end subroutine beams
 
     ! All joints and forces can be made, and are counted.
@@ -278,9 +286,11 @@ contains
         call m%add_rigid_body(1.0_dp, origin, identity, a)
         call m%add_rigid_body(2.0_dp, 3*axis_1, identity, b)
         call m%add_mass(a, 1.0_dp, axis_1)
-        call m%add_mass(a, 1.0_dp, axis_1, identity)
+        call m%add_mass(a, 1.0_dp, axis_1, identity, id)
+        call check(id == PDN_FIRST_INERTIA + 3, 'mass')
         call m%add_inertia(b, unit)
-        call m%add_inertia(b, unit, frame_at(origin))
+        call m%add_inertia(b, unit, frame_at(origin), id)
+        call check(id == PDN_FIRST_INERTIA + 5, 'inertia')
         call m%add_prismatic(PDN_GROUND, a, origin, axis_3)
         call m%add_cylindrical(a, b, origin, axis_3)
         call m%add_screw(a, b, origin, axis_3, 0.1_dp)
@@ -294,7 +304,8 @@ contains
         call m%add_screw_between(a, b, frame_at(origin), frame_at(origin), -0.2_dp, id)
         call m%joint_count(joints)
         call check(id == PDN_FIRST_JOINT + 10 .and. joints == 11, 'joints')
-        call m%prescribe(PDN_FIRST_JOINT, PDN_DISPLACEMENT, pdn_constant(0.1_dp))
+        call m%prescribe(PDN_FIRST_JOINT, PDN_DISPLACEMENT, pdn_constant(0.1_dp), id)
+        call check(id == PDN_FIRST_PRESCRIBED, 'prescribed')
         call m%set_gravity([0.0_dp, 0.0_dp, -9.81_dp])
         call m%set_gravity_signals(pdn_constant(0.0_dp), pdn_constant(0.0_dp), &
             pdn_constant(-9.81_dp))
@@ -364,13 +375,23 @@ contains
         call near(number, 2.0_dp, 0.0_dp, 'number')
         call m%relation_term(PDN_FIRST_RELATION, 1, id, nodes, number)
         call check(id == PDN_FIRST_JOINT + 8 .and. nodes == PDN_ROTATION, 'term')
-        call m%prescribed(0, id, nodes)
+        call m%prescribed(PDN_FIRST_PRESCRIBED, id, nodes)
         call check(id == PDN_FIRST_JOINT .and. nodes == PDN_DISPLACEMENT, 'prescribed')
         call m%inertia_count(nodes)
-        call m%inertia(0, id, unit)
+        call m%inertia(PDN_FIRST_INERTIA, id, unit)
         call check(id == a .and. nodes > 2, 'inertia')
+        call m%inertia_of(b, id)
+        call check(id == PDN_FIRST_INERTIA + 1, 'inertia of a node')
         call m%sample_signal(PDN_SIGNAL_OF_GRAVITY, 0, 2, 1.0_dp, [0.0_dp, 0.3_dp], centre(:2))
         call near(centre(2), -9.81_dp, 1e-14_dp, 'signal')
+        call m%add_parameter('speed', 3.0_dp, 2.0_dp, id)
+        call m%parameter_name(id, text)
+        call m%parameter(id, number)
+        call check(text == 'speed' .and. number == 3, 'parameter')
+        call m%find_parameter('speed', nodes)
+        call check(nodes == id, 'name of a parameter')
+        call m%shell_load_count(nodes)
+        call check(nodes == 0, 'shell loads')
         call m%node_count(nodes)
         call check(nodes == 2, 'nodes')
         call m%mass(mass, centre)

@@ -229,7 +229,7 @@ contains
         call model%shell_node(1, 0, 0, node, stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_ID, 'element: ')
         call model%add_shell_load(PDN_FIRST_SHELL_ELEMENT, 1, 7, PDN_FRAME_SPACE, PDN_FORCE_1, &
-            pdn_constant(1.0_dp), stat, errmsg)
+            pdn_constant(1.0_dp), stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_VALUE, 'place: ')
     end subroutine refusals_of_shells
 end program test_shells

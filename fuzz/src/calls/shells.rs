@@ -1,6 +1,7 @@
 //! Shells: of a grid or of quadrilaterals, with loads, prestress, rigid edges and surface forces.
 
 use super::{Arrays, Session, check_status, given};
+use periodyn::capi::id::{PDN_FIRST_NODE, PDN_FIRST_SHELL_ELEMENT};
 use periodyn::capi::load::{PDN_FORCE_1, PDN_FRAME_SPACE};
 use periodyn::capi::rigid_edge::*;
 use periodyn::capi::shell::*;
@@ -40,7 +41,7 @@ impl Session<'_, '_> {
             ratio,
             density,
             drilling,
-            0.0,
+            0.1,
         ));
         if self.bytes.rarely(8) {
             let at = self.bytes.below(144);
@@ -96,7 +97,7 @@ impl Session<'_, '_> {
         let [nodes, ..] = self.counts();
         let body = match self.bytes.rarely(3) {
             true => -1,
-            false => self.bytes.id(nodes),
+            false => self.bytes.constant(PDN_FIRST_NODE, nodes),
         };
         let edge = self.bytes.constant(PDN_SHELL_EDGE_START_ETA, 4);
         let (mut first, mut count) = (0, 0);
@@ -128,7 +129,7 @@ impl Session<'_, '_> {
             points[self.bytes.below(6)] = self.bytes.numbers();
         }
         if self.bytes.rarely(4) {
-            cells[self.bytes.below(8)] = self.bytes.id(6);
+            cells[self.bytes.below(8)] = self.bytes.index(6);
         }
         let (section, degree) = (self.shell_section(), 1 + self.bytes.below(3));
         let mut first = 0;
@@ -150,7 +151,7 @@ impl Session<'_, '_> {
         let mut first = 0;
         call!(pdn_model_add_surface_force(
             self.model,
-            self.bytes.id(elements),
+            self.bytes.constant(PDN_FIRST_SHELL_ELEMENT, elements),
             1,
             self.bytes.constant(PDN_SHELL_EDGE_START_ETA, 5),
             self.bytes.constant(PDN_FRAME_SPACE, 2),
@@ -166,9 +167,9 @@ impl Session<'_, '_> {
         let [nodes, ..] = self.counts();
         let body = match self.bytes.rarely(3) {
             true => -1,
-            false => self.bytes.id(nodes),
+            false => self.bytes.constant(PDN_FIRST_NODE, nodes),
         };
-        let ids = [(); 3].map(|()| self.bytes.id(nodes));
+        let ids = [(); 3].map(|()| self.bytes.constant(PDN_FIRST_NODE, nodes));
         let (count, mut first, mut joints) = (self.bytes.below(4), 0, 0);
         call!(pdn_model_add_rigid_joints(
             self.model,
@@ -181,7 +182,10 @@ impl Session<'_, '_> {
     }
 
     fn prestress(&mut self, elements: usize) {
-        let (first, resultants) = (self.bytes.id(elements), self.bytes.numbers::<12>());
+        let (first, resultants) = (
+            self.bytes.constant(PDN_FIRST_SHELL_ELEMENT, elements),
+            self.bytes.numbers::<12>(),
+        );
         let resultants = resultants.as_ptr();
         call!(pdn_model_set_shell_prestress(
             self.model, first, 1, resultants
@@ -190,7 +194,7 @@ impl Session<'_, '_> {
 
     fn shell_load(&mut self, elements: usize) {
         let (first, place) = (
-            self.bytes.id(elements),
+            self.bytes.constant(PDN_FIRST_SHELL_ELEMENT, elements),
             self.bytes.constant(PDN_SHELL_EDGE_START_ETA, 5),
         );
         let frame = self.bytes.constant(PDN_FRAME_SPACE, 2);
@@ -198,7 +202,14 @@ impl Session<'_, '_> {
         let mut arrays = Arrays::default();
         let signal = given::signal(self.bytes, &mut arrays);
         call!(pdn_model_add_shell_load(
-            self.model, first, 1, place, frame, component, &signal
+            self.model,
+            first,
+            1,
+            place,
+            frame,
+            component,
+            &signal,
+            null_mut()
         ));
     }
 }
