@@ -4,7 +4,7 @@ mod common;
 
 use common::models::oscillators::*;
 use common::*;
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 use periodyn::collocation::GridState;
 use periodyn::elements::{Coordinate, CoordinateLaw, Effort, JointKind};
 use periodyn::error::{Error, ErrorKind};
@@ -518,6 +518,38 @@ fn options_that_make_no_sense_are_refused() {
         "options.conditions",
     );
     refused(1.0, with(&|o| o.point_limit = 0), "options.point_limit");
+}
+
+#[test]
+fn a_branch_that_comes_back_to_where_it_began_says_so() {
+    // A pendulum becomes slower the farther it swings: from low frequencies it folds below that of
+    // small swings, and comes back as a large one.
+    let centre = Vector3::new(0.0, 0.0, -1.0);
+    let (mut model, hinge) = hinged_body(1.0, &centre, &Matrix3::zeros(), &Vector3::y());
+    gravity(&mut model, [0.0, 0.0, -9.81]);
+    let at = rotation1(hinge);
+    spring(&mut model, at, 0.0, 0.3);
+    model.add_actuator(at, &cosine(2.0)).unwrap();
+    let natural = 9.81f64.sqrt();
+    let options = BranchOptions {
+        periodic: options(31),
+        range: [0.8 * natural, 1.2 * natural],
+        ..BranchOptions::default()
+    };
+    let branch = follow(&model, 0.8 * natural, &options);
+    assert_eq!(branch.end, BranchEnd::Range);
+    let values = || branch.points.iter().map(|point| point.values[0] / natural);
+    assert!((values().next_back().unwrap() - 0.8).abs() < 1e-9);
+    let most = values().fold(0.0, f64::max);
+    assert!(most < 0.85, "{most}");
+    let report = branch.report();
+    assert!(
+        report.contains("end of its range: it turned back at 2.6") && report.contains("3.758"),
+        "{report}"
+    );
+    // Whatever it meets on its way to the other end.
+    let other = follow(&duffing(), 0.5, &response(31)).report();
+    assert!(other.contains("end of its range.\n"), "{other}");
 }
 
 #[test]

@@ -18,6 +18,8 @@ use crate::workers::Workers;
 const LEAST_LOOP: usize = 4;
 /// Distance of the first point from a step that passes it, over the step.
 const CLOSED: f64 = 0.2;
+/// Distance of ends of a range that are one, over the range.
+const SAME_END: f64 = 1e-6;
 /// Distance from the first point of what is the same.
 const SAME: f64 = 1e-4;
 
@@ -273,8 +275,28 @@ impl Follow<'_, '_> {
             let step = [length, self.angle(place, &end)];
             self.keep(&end, there.stability(), (step, iterations));
         }
-        self.ends(BranchEnd::Range, "");
+        self.ends(BranchEnd::Range, self.came_back());
         Ok(())
+    }
+
+    /// What there is to say where the branch has turned, and ends where it began.
+    fn came_back(&self) -> String {
+        let [low, high] = self.walk.options.range;
+        let values = || self.branch.points.iter().map(|point| point.values[0]);
+        let (Some(first), Some(last)) = (values().next(), values().next_back()) else {
+            return String::new();
+        };
+        if (first - last).abs() > SAME_END * (high - low) {
+            return String::new();
+        }
+        let (turned, other) = match last < 0.5 * (low + high) {
+            true => (values().fold(last, f64::max), high),
+            false => (values().fold(last, f64::min), low),
+        };
+        format!(
+            "it turned back at {turned}, to where it began; what there is at {other} is on another \
+             branch, as far as the range goes: follow one from there, too"
+        )
     }
 
     pub fn angle(&self, from: &Place, to: &Place) -> f64 {
