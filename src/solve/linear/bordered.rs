@@ -393,6 +393,11 @@ impl<L: LinearSolver> LinearSolver for Bordered<L> {
         }
     }
 
+    fn is_resisted(&mut self, equations: &mut Collocation) -> bool {
+        // The scalars are determined: linearisation ends where they are not.
+        equations.grounding() == 0.0 && self.inner.is_resisted(equations)
+    }
+
     fn explain(&mut self, equations: &mut Collocation, state: &GridState) -> Singularity {
         if self.determined {
             return self.inner.explain(equations, state);

@@ -21,9 +21,11 @@ const NOTHING: f64 = 1e-14;
 /// Accuracy of the corrections of a solution, relative to what makes it rounding, and the coarsest.
 const LEFT: f64 = 0.1;
 const COARSEST: f64 = 1e-2;
-/// What is left of the right side, relative to it, that is rounding: of motions that do not follow
-/// that makes all there is, which does not contract, and which no iteration finds.
+/// What is left of the right side, relative to it, that is rounding, and what is where it no longer
+/// shrinks: of motions that do not follow that makes all there is, which does not contract, and
+/// which no iteration finds.
 const NOTHING_LEFT: f64 = 1e-14;
+const LITTLE_LEFT: f64 = 1e-12;
 /// Contraction of corrections above which an iteration takes fewer products.
 const SLOW: f64 = 1e-2;
 /// Accuracy of that iteration.
@@ -129,7 +131,8 @@ impl<L: LinearSolver> Bordered<L> {
             end: Ok(true),
         };
         let wanted = rhs.to_vec();
-        let nothing = NOTHING_LEFT * largest(&wanted);
+        let mut left = largest(&wanted);
+        let [nothing, little] = [NOTHING_LEFT, LITTLE_LEFT].map(|part| part * left);
         let mut rest = wanted.clone();
         let (mut product, mut correction) = (vec![0.0; rhs.len()], vec![0.0; rhs.len()]);
         rhs.fill(0.0);
@@ -158,7 +161,8 @@ impl<L: LinearSolver> Bordered<L> {
                 operator.precondition(&mut correction);
             }
             workers.pulse()?;
-            let is_rounding = largest(&rest) <= nothing;
+            let last = std::mem::replace(&mut left, largest(&rest));
+            let is_rounding = left <= nothing || left <= little && left > 0.5 * last;
             if !std::mem::replace(&mut operator.end, Ok(true))? {
                 return Ok(is_rounding);
             }
