@@ -24,15 +24,9 @@ const LEAST: usize = 48;
 /// Iterations after which a solve is given up, those of all attempts together.
 const MOST_ITERATIONS: usize = 3000;
 
-/// The first machines of a family that are small and not loaded by pulses, which take many grid
-/// points: `script/zoo` has the others, too.
+/// `script/zoo` has larger ones, and those with pulses, too.
 fn share(family: usize) -> impl Iterator<Item = (usize, Machine)> {
-    (0..)
-        .map(move |index| (index, machine(SEED, family, index)))
-        .filter(|(_, machine)| {
-            machine.model.node_count() <= MOST_NODES && !machine.what.contains("pulse")
-        })
-        .take(SHARE)
+    machines::small(SEED, family, MOST_NODES).take(SHARE)
 }
 
 #[test]

@@ -56,3 +56,17 @@ pub fn machine(seed: u64, family: usize, index: usize) -> Machine {
     FAMILIES[family].1(&mut workshop);
     workshop.finish()
 }
+
+/// The first machines of a family that have no more nodes and are not loaded by pulses, which take
+/// many grid points, with their numbers.
+pub fn small(
+    seed: u64,
+    family: usize,
+    most_nodes: usize,
+) -> impl Iterator<Item = (usize, Machine)> {
+    (0..)
+        .map(move |index| (index, machine(seed, family, index)))
+        .filter(move |(_, machine)| {
+            machine.model.node_count() <= most_nodes && !machine.what.contains("pulse")
+        })
+}

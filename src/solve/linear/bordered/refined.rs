@@ -187,7 +187,7 @@ impl<L: LinearSolver> Bordered<L> {
             let pairs = rest.iter_mut().zip(wanted.iter().zip(&product));
             pairs.for_each(|(rest, (wanted, product))| *rest = wanted - product);
         }
-        Ok(before <= ENOUGH)
+        Ok(before <= ENOUGH || left <= little)
     }
 }
 
