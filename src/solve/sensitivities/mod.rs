@@ -4,11 +4,13 @@
 //! * `dependents.rs`: what is differentiated, and its gradient by all unknowns;
 //! * `explicit.rs`: what residual, conditions and dependents change with a parameter at fixed
 //!   unknowns;
-//! * `multipliers.rs`: the same of Floquet multipliers.
+//! * `multipliers.rs`: the same of Floquet multipliers;
+//! * `requirements.rs`: what has none is refused.
 
 mod dependents;
 mod explicit;
 mod multipliers;
+mod requirements;
 
 pub use dependents::Dependent;
 pub use multipliers::{MultiplierSensitivities, solve_multiplier_sensitivities};
@@ -27,6 +29,7 @@ use crate::workers::Workers;
 use dependents::Found;
 use explicit::Explicit;
 use nalgebra::DMatrix;
+use requirements::{require_parameters, require_same, require_solution};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -37,8 +40,6 @@ const SINGULAR: f64 = 1e13;
 const BEYOND: f64 = 1e5;
 /// Increment that Newton's method may still ask for.
 const UNSOLVED: f64 = 1e-6;
-/// Residuals that differ by no more are those of the same equations.
-const SAME: f64 = 1e-10;
 /// Times that compliance of constraints is taken back: each leaves some millionths of it.
 const TAKEN_BACK: usize = 2;
 /// What it may leave of them, relative to the right side.
@@ -220,57 +221,6 @@ impl Prepared {
         require_same(&mut self.equations, &self.state, &mut self.explicit)?;
         Ok(self)
     }
-}
-
-/// Checks that a solve has found a periodic motion.
-fn require_solution(solve: &Solved) -> Result<()> {
-    let wanted = "sensitivities are those of a periodic solution";
-    if solve.periodic().is_none() {
-        let message = format!("solution: {wanted}; this is none");
-        return Err(Error::new(ErrorKind::NotAvailable, message));
-    }
-    if !solve.report.outcome.is_solution() {
-        let message = format!("solution: {wanted}; this {}", solve.report.describe());
-        return Err(Error::new(ErrorKind::NotAvailable, message));
-    }
-    Ok(())
-}
-
-/// Checks that the equations are the same with the values of the parameters in the model.
-fn require_same(
-    equations: &mut Collocation,
-    state: &GridState,
-    explicit: &mut Explicit,
-) -> Result<()> {
-    let mut residual = vec![0.0; equations.layout().size()];
-    equations.residual(state, &mut residual)?;
-    let pairs = residual.iter().zip(explicit.residual()?);
-    if pairs.fold(0.0f64, |most, (a, b)| most.max((a - b).abs())) <= SAME {
-        return Ok(());
-    }
-    let message = "model: expected the one that was solved, with the values of its parameters";
-    Err(Error::new(ErrorKind::Value, message))
-}
-
-/// Checks that parameters are different ones that are not free.
-fn require_parameters(model: &Model, free: &[Free], parameters: &[Free]) -> Result<()> {
-    for (i, parameter) in parameters.iter().enumerate() {
-        match *parameter {
-            Free::Frequency => model.require_functions_of_phase()?,
-            Free::Parameter(id) => {
-                model.require_parameter(id)?;
-            }
-        }
-        let got = |what: &str| format!("{}, which is {what}", parameter.name(model));
-        if free.contains(parameter) {
-            return Err(Error::value("parameters", "what is not free", got("free")));
-        }
-        if parameters[..i].contains(parameter) {
-            let expected = "different parameters";
-            return Err(Error::value("parameters", expected, got("there twice")));
-        }
-    }
-    Ok(())
 }
 
 /// Whether a parameter moves anything.

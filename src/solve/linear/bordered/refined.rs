@@ -6,7 +6,9 @@ use crate::collocation::{Collocation, Tangent};
 use crate::error::Result;
 use crate::solve::linear::borders::Borders;
 use crate::solve::linear::dense::largest;
-use crate::solve::linear::iterative::{GmresOptions, Parts, Preconditioned, SHARPEST, gmres};
+use crate::solve::linear::iterative::{
+    GmresOptions, GmresWorkspace, Parts, Preconditioned, SHARPEST, gmres,
+};
 use crate::solve::linear::solver::LinearSolver;
 use crate::solve::report::Timings;
 
@@ -102,6 +104,22 @@ impl<L: LinearSolver> Preconditioned for Operator<'_, L> {
     }
 }
 
+impl<L: LinearSolver> Operator<'_, L> {
+    /// Solves in place with what solves similar equations, or by iteration with it where that is
+    /// `slow`. `false` if there is no solution.
+    fn correct(&mut self, y: &mut [f64], slow: bool, memory: &mut GmresWorkspace) -> Result<bool> {
+        let workers = self.equations.workers().clone();
+        if slow {
+            let motions = self.equations.layout().motions().end;
+            gmres(self, y, &iterated(motions, y.len()), &workers, memory)?;
+        } else {
+            self.precondition(y);
+        }
+        workers.pulse()?;
+        std::mem::replace(&mut self.end, Ok(true))
+    }
+}
+
 impl<L: LinearSolver> Bordered<L> {
     /// Solves in place, to rounding. `false` if that cannot be done.
     ///
@@ -117,9 +135,7 @@ impl<L: LinearSolver> Bordered<L> {
         if !self.prepare_elimination(equations, SHARPEST, timings)? {
             return Ok(false);
         }
-        let workers = equations.workers().clone();
-        let motions = equations.layout().motions().end;
-        let own = motions..equations.size();
+        let own = equations.layout().motions().end..equations.size();
         let mut operator = Operator {
             equations,
             inner: &mut self.inner,
@@ -148,22 +164,10 @@ impl<L: LinearSolver> Bordered<L> {
                     (LEFT * ROUNDING / rest).clamp(SHARPEST, COARSEST)
                 }
             };
-            if slow {
-                let options = iterated(motions, rest.len());
-                gmres(
-                    &mut operator,
-                    &mut correction,
-                    &options,
-                    &workers,
-                    &mut self.workspace,
-                )?;
-            } else {
-                operator.precondition(&mut correction);
-            }
-            workers.pulse()?;
+            let solved = operator.correct(&mut correction, slow, &mut self.workspace)?;
             let last = std::mem::replace(&mut left, largest(&rest));
             let is_rounding = left <= nothing || left <= little && left > 0.5 * last;
-            if !std::mem::replace(&mut operator.end, Ok(true))? {
+            if !solved {
                 return Ok(is_rounding);
             }
             rhs.iter_mut().zip(&correction).for_each(|(x, c)| *x += c);

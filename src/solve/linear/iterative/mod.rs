@@ -68,7 +68,7 @@ use factors::Factors;
 pub(crate) use gmres::{GmresOptions, GmresWorkspace, Preconditioned, gmres};
 use interface::{Bounds, LEFT_OUT, likely_work};
 pub(crate) use long_vectors::Parts;
-use operator::{Eliminated, Operator};
+use operator::{Eliminated, Operator, is_enough};
 pub(crate) use outer::{Outer, SHARPEST, solve_around};
 pub(crate) use projected::Projected;
 pub use record::{IterativeRecord, Preconditioner};
@@ -141,16 +141,6 @@ pub(crate) struct Iterative {
     limit: usize,
     workspace: GmresWorkspace,
     pub record: IterativeRecord,
-}
-
-/// Whether an error is small enough for Newton's method to go on where rounding allows no more: of
-/// a right side that is rounding, or beside multipliers that have no effect.
-fn is_enough(equations: &Collocation, error: f64) -> bool {
-    let enough = match equations.is_regularised() {
-        true => ROUGH_BESIDE_MULTIPLIERS,
-        false => ROUGH,
-    };
-    error <= enough
 }
 
 impl Iterative {

@@ -3,6 +3,7 @@
 
 use super::factors::Factors;
 use super::gmres::Preconditioned;
+use super::{ROUGH, ROUGH_BESIDE_MULTIPLIERS};
 use crate::collocation::{Collocation, Tangent};
 use crate::solve::linear::borders::Borders;
 use crate::work::PRODUCT;
@@ -65,4 +66,14 @@ impl Eliminated {
         let finite = inverse.iter().all(|x| x.is_finite());
         finite.then_some(Eliminated { columns, inverse })
     }
+}
+
+/// Whether an error is small enough for Newton's method to go on where rounding allows no more: of
+/// a right side that is rounding, or beside multipliers that have no effect.
+pub(super) fn is_enough(equations: &Collocation, error: f64) -> bool {
+    let enough = match equations.is_regularised() {
+        true => ROUGH_BESIDE_MULTIPLIERS,
+        false => ROUGH,
+    };
+    error <= enough
 }

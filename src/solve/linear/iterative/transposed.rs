@@ -8,9 +8,8 @@
 
 use super::factors::Factors;
 use super::interface::Bounds;
-use super::{
-    GmresOptions, Iterative, KEPT, Parts, Preconditioned, Preconditioner, RESTART, gmres, is_enough,
-};
+use super::operator::is_enough;
+use super::{GmresOptions, Iterative, KEPT, Parts, Preconditioned, Preconditioner, RESTART, gmres};
 use crate::collocation::{Collocation, Tangent};
 use crate::error::Result;
 use crate::solve::report::{Timings, timed};
