@@ -112,18 +112,6 @@ fn beams_on_the_nodes_of_edges_stiffen_them_as_one_beam() {
     assert!(alone.z > 0.3 && apart < 1e-12, "{alone:?}: {apart:e}");
 }
 
-fn statics(model: &Model) -> Solution {
-    let solution = Solution::solve_static(model, &StaticOptions::default(), &mut |_, _| true);
-    let solution = solution.unwrap();
-    assert_eq!(
-        solution.outcome(),
-        Outcome::Converged,
-        "{}",
-        solution.report()
-    );
-    solution
-}
-
 /// By how much a tube in torsion, with so many elements along it, twists too little between two
 /// edges that are held rigidly, or but for turns about the normals.
 fn tube(elements: usize, held: JointKind, drilling: f64) -> f64 {

@@ -1,12 +1,13 @@
 //! What shells tell: strains, resultants and stresses in stated axes, animations, warnings, what is
 //! refused; and initial stress.
 
-mod models;
+mod common;
 #[path = "common/vtk.rs"]
 mod vtk;
 
-use models::parts::{add_load, clamp};
-use models::shells::*;
+use common::models::parts::{add_load, clamp};
+use common::models::shells::*;
+use common::statics;
 use nalgebra::{Matrix3, Vector3};
 use periodyn::elements::*;
 use periodyn::model::*;
@@ -24,18 +25,6 @@ fn strip(poisson: f64, mesh: &ShellMesh) -> (Model, ShellPatch) {
     let mut model = Model::new();
     let patch = add_strip(&mut model, [1.0, 0.5], &section.section().unwrap(), mesh);
     (model, patch)
-}
-
-fn statics(model: &Model) -> Solution {
-    let solution = Solution::solve_static(model, &StaticOptions::default(), &mut |_, _| true);
-    let solution = solution.unwrap();
-    assert_eq!(
-        solution.outcome(),
-        Outcome::Converged,
-        "{}",
-        solution.report()
-    );
-    solution
 }
 
 /// A strip without contraction under a pull and a couple for each length of its end, which bend and

@@ -29,18 +29,6 @@ fn law(
     }
 }
 
-fn statics(model: &Model) -> Solution {
-    let solution = Solution::solve_static(model, &StaticOptions::default(), &mut |_, _| true);
-    let solution = solution.unwrap();
-    assert_eq!(
-        solution.outcome(),
-        Outcome::Converged,
-        "{}",
-        solution.report()
-    );
-    solution
-}
-
 fn positions(solution: &Solution) -> Vec<f64> {
     let nodes = 0..solution.model().node_count();
     let position = |node| solution.node(node, NodeQuantity::Position, &[0.0]).unwrap();

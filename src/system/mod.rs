@@ -5,6 +5,7 @@ mod check;
 mod constraints;
 mod driven;
 mod evaluation;
+mod extents;
 mod layout;
 mod mass_properties;
 mod part;

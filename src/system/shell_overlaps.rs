@@ -1,20 +1,20 @@
 //! Shell elements that lie on others, with other nodes.
 
+use super::extents::{Extent, meeting};
 use crate::elements::Shell;
 use nalgebra::Vector3;
 use std::sync::Arc;
 
 /// Surfaces lie on each other if they are no farther apart than this part of their thickness:
 /// layers that touch are a whole one apart.
-const TOGETHER: f64 = 0.25;
+pub(super) const TOGETHER: f64 = 0.25;
 /// What a point may lie outside of a triangle, of its size, as it is rounded.
 const ROUNDING: f64 = 1e-9;
 
 /// Between the nodes of an element: its cells, by their corners in turn.
 struct Facets {
     cells: Vec<[Vector3<f64>; 4]>,
-    lowest: Vector3<f64>,
-    highest: Vector3<f64>,
+    extent: Extent,
     thickness: f64,
 }
 
@@ -35,15 +35,9 @@ impl Facets {
             }
         }
         let thickness = shell.thickness();
-        let around = Vector3::repeat(thickness);
-        let bound = |pick: fn(f64, f64) -> f64| {
-            let first = places[0];
-            places.iter().fold(first, |most, p| most.zip_map(p, pick))
-        };
         Facets {
             cells,
-            lowest: bound(f64::min) - around,
-            highest: bound(f64::max) + around,
+            extent: Extent::around(&places, thickness),
             thickness,
         }
     }
@@ -53,19 +47,13 @@ impl Facets {
         let near = TOGETHER * 0.5 * (self.thickness + other.thickness);
         self.cells.iter().any(|corners| {
             let middle = corners.iter().sum::<Vector3<f64>>() / 4.0;
-            let beyond = |low: f64, x: f64, high: f64| x < low || x > high;
-            let outside = (0..3).any(|i| beyond(other.lowest[i], middle[i], other.highest[i]));
-            !outside
+            other.extent.holds(&middle)
                 && other.cells.iter().any(|&[a, b, c, d]| {
                     [[a, b, c], [a, c, d]]
                         .iter()
                         .any(|t| is_on(&middle, t, near))
                 })
         })
-    }
-
-    fn may_meet(&self, other: &Facets) -> bool {
-        (0..3).all(|i| self.lowest[i] <= other.highest[i] && other.lowest[i] <= self.highest[i])
     }
 }
 
@@ -85,26 +73,11 @@ fn is_on(point: &Vector3<f64>, [a, b, c]: &[Vector3<f64>; 3], near: f64) -> bool
 /// Pairs of elements that lie on each other, ascending.
 pub(super) fn overlapping(shells: &[Arc<Shell>]) -> Vec<(usize, usize)> {
     let facets: Vec<Facets> = shells.iter().map(|shell| Facets::of(shell)).collect();
-    // One after the other along the longest axis: only few are met at a time.
-    let span = |axis: usize| {
-        let low = facets.iter().map(|f| f.lowest[axis]);
-        let high = facets.iter().map(|f| f.highest[axis]);
-        high.fold(f64::NEG_INFINITY, f64::max) - low.fold(f64::INFINITY, f64::min)
-    };
-    let axis = (1..3).fold(0, |most, i| if span(i) > span(most) { i } else { most });
-    let mut order: Vec<usize> = (0..facets.len()).collect();
-    order.sort_by(|&a, &b| facets[a].lowest[axis].total_cmp(&facets[b].lowest[axis]));
-    let mut pairs = Vec::new();
-    for (at, &a) in order.iter().enumerate() {
-        let end = facets[a].highest[axis];
-        let next = order[at + 1..].iter();
-        for &b in next.take_while(|&&b| facets[b].lowest[axis] <= end) {
-            let (one, other) = (&facets[a], &facets[b]);
-            if one.may_meet(other) && (one.lies_on(other) || other.lies_on(one)) {
-                pairs.push((a.min(b), a.max(b)));
-            }
-        }
-    }
+    let extents: Vec<&Extent> = facets.iter().map(|f| &f.extent).collect();
+    let lie_on_each_other =
+        |&(a, b): &(usize, usize)| facets[a].lies_on(&facets[b]) || facets[b].lies_on(&facets[a]);
+    let pairs = meeting(&extents).into_iter().filter(lie_on_each_other);
+    let mut pairs: Vec<_> = pairs.map(|(a, b)| (a.min(b), a.max(b))).collect();
     pairs.sort_unstable();
     pairs
 }

@@ -1,13 +1,12 @@
 //! Edges of shell elements that meet between their nodes, where nothing joins them.
 
+use super::extents::{Extent, meeting};
+use super::shell_overlaps::TOGETHER;
 use crate::elements::{Element, NodeGrid, Shell, lobatto_points, shape_functions};
 use nalgebra::Vector3;
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
-/// Edges meet if they are no farther apart than this part of the thickness, as surfaces do that
-/// lie on each other.
-const TOGETHER: f64 = 0.25;
 /// Straight pieces of an edge between neighbouring nodes.
 const PIECES: usize = 8;
 
@@ -18,8 +17,8 @@ struct FreeEdge {
     places: Vec<Vector3<f64>>,
     /// Points along it, nodes among them.
     line: Vec<Vector3<f64>>,
-    lowest: Vector3<f64>,
-    highest: Vector3<f64>,
+    extent: Extent,
+    /// How near a point is that lies on it.
     near: f64,
 }
 
@@ -29,13 +28,10 @@ impl FreeEdge {
         let places: Vec<Vector3<f64>> = own.iter().map(|&k| all[k]).collect();
         let line = line_through(&places);
         let near = TOGETHER * shell.thickness();
-        let bound =
-            |pick: fn(f64, f64) -> f64| line.iter().fold(line[0], |most, p| most.zip_map(p, pick));
         FreeEdge {
             element,
             nodes: own.iter().map(|&k| shell.nodes()[k]).collect(),
-            lowest: bound(f64::min) - Vector3::repeat(near),
-            highest: bound(f64::max) + Vector3::repeat(near),
+            extent: Extent::around(&line, near),
             places,
             line,
             near,
@@ -44,8 +40,7 @@ impl FreeEdge {
 
     /// Whether a node that is not its own lies on it, away from its nodes.
     fn has_between(&self, node: usize, place: &Vector3<f64>) -> bool {
-        let outside = (0..3).any(|i| place[i] < self.lowest[i] || place[i] > self.highest[i]);
-        !outside
+        self.extent.holds(place)
             && !self.nodes.contains(&node)
             && self.places.iter().all(|p| (place - p).norm() > self.near)
             && self.line.windows(2).any(|ends| {
@@ -53,10 +48,6 @@ impl FreeEdge {
                 let part = (place - ends[0]).dot(&along) / along.norm_squared();
                 (place - ends[0] - along * part.clamp(0.0, 1.0)).norm() <= self.near
             })
-    }
-
-    fn may_meet(&self, other: &FreeEdge) -> bool {
-        (0..3).all(|i| self.lowest[i] <= other.highest[i] && other.lowest[i] <= self.highest[i])
     }
 }
 
@@ -94,24 +85,19 @@ fn free_edges(shells: &[Arc<Shell>]) -> Vec<FreeEdge> {
 /// that nothing but shells holds.
 pub(super) fn unmatched(shells: &[Arc<Shell>], held: &HashSet<usize>) -> BTreeSet<(usize, usize)> {
     let edges = free_edges(shells);
-    let mut order: Vec<usize> = (0..edges.len()).collect();
-    order.sort_by(|&a, &b| edges[a].lowest.x.total_cmp(&edges[b].lowest.x));
-    let mut pairs = BTreeSet::new();
     let meets = |one: &FreeEdge, other: &FreeEdge| {
         let mut nodes = other.nodes.iter().zip(&other.places);
         nodes.any(|(node, place)| !held.contains(node) && one.has_between(*node, place))
     };
-    for (at, &a) in order.iter().enumerate() {
-        let (one, next) = (&edges[a], order[at + 1..].iter().map(|&b| &edges[b]));
-        for other in next.take_while(|other| other.lowest.x <= one.highest.x) {
-            let apart = one.element != other.element && one.may_meet(other);
-            if apart && (meets(one, other) || meets(other, one)) {
-                pairs.insert((
-                    one.element.min(other.element),
-                    one.element.max(other.element),
-                ));
-            }
-        }
-    }
-    pairs
+    let extents: Vec<&Extent> = edges.iter().map(|edge| &edge.extent).collect();
+    let of_elements = |(a, b): (usize, usize)| {
+        let (one, other) = (&edges[a], &edges[b]);
+        let unmatched = one.element != other.element && (meets(one, other) || meets(other, one));
+        let pair = (one.element, other.element);
+        unmatched.then_some((pair.0.min(pair.1), pair.0.max(pair.1)))
+    };
+    meeting(&extents)
+        .into_iter()
+        .filter_map(of_elements)
+        .collect()
 }

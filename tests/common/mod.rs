@@ -44,6 +44,19 @@ pub fn solve(model: &Model, period: f64, grid_points: usize) -> Solution {
     solution
 }
 
+/// The equilibrium of a model by default options.
+pub fn statics(model: &Model) -> Solution {
+    let solution = Solution::solve_static(model, &StaticOptions::default(), &mut |_, _| true);
+    let solution = solution.unwrap();
+    assert_eq!(
+        solution.outcome(),
+        Outcome::Converged,
+        "{}",
+        solution.report()
+    );
+    solution
+}
+
 /// A solve from the default guess.
 pub fn try_solve(
     model: &Model,

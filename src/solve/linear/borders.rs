@@ -100,13 +100,14 @@ impl Borders {
     /// Makes zeros of entries that are rounding beside what equations would feel of motions, which
     /// end at `motions`, and of all else, if these were where they are the most.
     fn drop_rounding(&self, complement: &mut DMatrix<f64>, motions: usize) {
+        let largest_of = |x: &Vec<f64>| [0..motions, motions..self.size].map(|p| largest(&x[p]));
+        let columns: Vec<[f64; 2]> = self.eliminated.iter().map(largest_of).collect();
         for (i, row) in self.rows.iter().enumerate() {
-            for (j, column) in self.eliminated.iter().enumerate() {
-                let size = column.len();
-                let parts = [0..motions, motions..size];
-                let felt = parts.map(|part| largest(&row[part.clone()]) * largest(&column[part]));
-                let own = row.get(size + j).unwrap_or(&0.0).abs();
-                if complement[(i, j)].abs() <= NO_PIVOT * (felt[0] + felt[1] + own) {
+            let felt = largest_of(row);
+            for (j, column) in columns.iter().enumerate() {
+                let own = row.get(self.size + j).unwrap_or(&0.0).abs();
+                let most = felt[0] * column[0] + felt[1] * column[1] + own;
+                if complement[(i, j)].abs() <= NO_PIVOT * most {
                     complement[(i, j)] = 0.0;
                 }
             }
@@ -119,7 +120,7 @@ impl Borders {
         let count = self.count();
         DMatrix::from_fn(eliminated.len(), eliminated.len(), |i, j| match i < count {
             true => {
-                let (row, size) = (&self.rows[i], self.columns[0].len());
+                let (row, size) = (&self.rows[i], self.size);
                 let own = row.get(size + j).unwrap_or(&0.0);
                 own - dot(&row[..size], &eliminated[j])
             }

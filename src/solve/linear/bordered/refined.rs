@@ -23,6 +23,8 @@ const NOTHING: f64 = 1e-14;
 /// Accuracy of the corrections of a solution, relative to what makes it rounding, and the coarsest.
 const LEFT: f64 = 0.1;
 const COARSEST: f64 = 1e-2;
+/// What shrinks no more than by this factor stands.
+const STANDS: f64 = 0.5;
 /// What is left of the right side, relative to it, that is rounding, and what is where it no longer
 /// shrinks: of motions that do not follow that makes all there is, which does not contract, and
 /// which no iteration finds.
@@ -166,7 +168,7 @@ impl<L: LinearSolver> Bordered<L> {
             };
             let solved = operator.correct(&mut correction, slow, &mut self.workspace)?;
             let last = std::mem::replace(&mut left, largest(&rest));
-            let is_rounding = left <= nothing || left <= little && left > 0.5 * last;
+            let is_rounding = left <= nothing || left <= little && left > STANDS * last;
             if !solved {
                 return Ok(is_rounding);
             }
@@ -175,8 +177,8 @@ impl<L: LinearSolver> Bordered<L> {
             if !changed.is_finite() {
                 return Ok(is_rounding);
             }
-            let stands_still = before <= ENOUGH && changed > 0.5 * before;
-            let is_noise = is_rounding && changed > 0.5;
+            let stands_still = before <= ENOUGH && changed > STANDS * before;
+            let is_noise = is_rounding && changed > STANDS;
             // What the next correction would be, as far as the last one has contracted.
             let next = match slow {
                 true => changed,

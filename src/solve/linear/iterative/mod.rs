@@ -68,7 +68,7 @@ use factors::Factors;
 pub(crate) use gmres::{GmresOptions, GmresWorkspace, Preconditioned, gmres};
 use interface::{Bounds, LEFT_OUT, likely_work};
 pub(crate) use long_vectors::Parts;
-use operator::{Eliminated, Operator, is_enough};
+use operator::{Eliminated, Operator, is_solved};
 pub(crate) use outer::{Outer, SHARPEST, solve_around};
 pub(crate) use projected::Projected;
 pub use record::{IterativeRecord, Preconditioner};
@@ -102,8 +102,6 @@ const SUSPECT: f64 = 1e13;
 const SUSPECT_SLENDER: f64 = 1e7;
 /// Accuracy of a closer look at that, and what is enough where rounding allows no more.
 const ROUGH: f64 = 1e-2;
-/// What is enough beside multipliers that have no effect, of which rounding leaves more.
-const ROUGH_BESIDE_MULTIPLIERS: f64 = 0.1;
 
 /// GMRES on the Jacobian as an operator.
 pub(crate) struct Iterative {
@@ -360,7 +358,7 @@ impl Iterative {
             self.count_bytes(end.iterations.min(options.restart), unknowns.len());
             timings.substitution += began.elapsed();
             equations.workers().pulse()?;
-            let solved = end.error <= accuracy || end.stagnated && is_enough(equations, end.error);
+            let solved = is_solved(&end, accuracy, equations);
             let first = *self.first_products.get_or_insert(end.iterations);
             if solved {
                 let (of_grid, scalars) = rhs.split_at_mut(size);

@@ -1,13 +1,17 @@
 //! The linearised equations as what GMRES multiplies with, between borders if there are any
 //! (docs/theory.md, section 8.8).
 
+use super::ROUGH;
 use super::factors::Factors;
-use super::gmres::Preconditioned;
-use super::{ROUGH, ROUGH_BESIDE_MULTIPLIERS};
+use super::gmres::{GmresEnd, Preconditioned};
 use crate::collocation::{Collocation, Tangent};
 use crate::solve::linear::borders::Borders;
 use crate::work::PRODUCT;
 use nalgebra::DMatrix;
+
+/// What is enough beside multipliers that have no effect, of which rounding leaves more than
+/// [`ROUGH`].
+const ROUGH_BESIDE_MULTIPLIERS: f64 = 0.1;
 
 /// What GMRES multiplies with, and its preconditioner.
 pub(super) struct Operator<'a> {
@@ -68,12 +72,13 @@ impl Eliminated {
     }
 }
 
-/// Whether an error is small enough for Newton's method to go on where rounding allows no more: of
-/// a right side that is rounding, or beside multipliers that have no effect.
-pub(super) fn is_enough(equations: &Collocation, error: f64) -> bool {
+/// Whether an iteration has ended with a solution to this accuracy, or one that is good enough for
+/// Newton's method to go on where rounding allows no more: of a right side that is rounding, or
+/// beside multipliers that have no effect.
+pub(super) fn is_solved(end: &GmresEnd, accuracy: f64, equations: &Collocation) -> bool {
     let enough = match equations.is_regularised() {
         true => ROUGH_BESIDE_MULTIPLIERS,
         false => ROUGH,
     };
-    error <= enough
+    end.error <= accuracy || end.stagnated && end.error <= enough
 }

@@ -8,7 +8,7 @@
 
 use super::factors::Factors;
 use super::interface::Bounds;
-use super::operator::is_enough;
+use super::operator::is_solved;
 use super::{GmresOptions, Iterative, KEPT, Parts, Preconditioned, Preconditioner, RESTART, gmres};
 use crate::collocation::{Collocation, Tangent};
 use crate::error::Result;
@@ -137,8 +137,7 @@ impl Iterative {
         self.count_bytes(end.iterations.min(options.restart), unknowns.len());
         equations.workers().pulse()?;
         let found = &unknowns[..size];
-        let solved = end.error <= accuracy || end.stagnated && is_enough(equations, end.error);
-        let solved = solved && found.iter().all(|x| x.is_finite());
+        let solved = is_solved(&end, accuracy, equations) && found.iter().all(|x| x.is_finite());
         if solved {
             rhs.copy_from_slice(found);
         }
