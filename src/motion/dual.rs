@@ -2,80 +2,81 @@
 //!
 //! A formula for rotations, evaluated in dual algebra, is the formula for motions.
 
-use super::product::{of_entries, outer_product, product, sum_of_products, transpose};
-use super::rotation::{axial, skew, skew_times, times_skew};
-use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
+use super::product::{dot, of_entries, outer_product, product, sum_of_products, trace, transpose};
+use super::rotation::{axial, cross, skew, skew_times, times_skew};
+use super::scalar::Scalar;
+use nalgebra::{ArrayStorage, Matrix3, Matrix6, Vector3, Vector6};
 use std::ops::{Add, AddAssign, Mul, Neg, Sub};
 
 /// Dual number.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Dual {
+pub struct Dual<T = f64> {
     /// Primal part.
-    pub primal: f64,
+    pub primal: T,
     /// Dual part.
-    pub dual: f64,
+    pub dual: T,
 }
 
 /// Dual 3-vector.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct DualVector {
+pub struct DualVector<T = f64> {
     /// Primal part.
-    pub primal: Vector3<f64>,
+    pub primal: Vector3<T>,
     /// Dual part.
-    pub dual: Vector3<f64>,
+    pub dual: Vector3<T>,
 }
 
 /// Dual 3×3 matrix.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct DualMatrix {
+pub struct DualMatrix<T = f64> {
     /// Primal part.
-    pub primal: Matrix3<f64>,
+    pub primal: Matrix3<T>,
     /// Dual part.
-    pub dual: Matrix3<f64>,
+    pub dual: Matrix3<T>,
 }
 
 macro_rules! linear_operations {
     ($type:ident, $of_entries:ident) => {
-        impl Add for $type {
-            type Output = $type;
-            #[inline]
-            fn add(self, b: $type) -> $type {
+        impl<T: Scalar> Add for $type<T> {
+            type Output = $type<T>;
+            #[inline(always)]
+            fn add(self, b: $type<T>) -> $type<T> {
                 $type {
                     primal: $of_entries(&self.primal, &b.primal, |a, b| a + b),
                     dual: $of_entries(&self.dual, &b.dual, |a, b| a + b),
                 }
             }
         }
-        impl AddAssign for $type {
-            #[inline]
-            fn add_assign(&mut self, b: $type) {
+        impl<T: Scalar> AddAssign for $type<T> {
+            #[inline(always)]
+            fn add_assign(&mut self, b: $type<T>) {
                 *self = *self + b;
             }
         }
-        impl Sub for $type {
-            type Output = $type;
-            #[inline]
-            fn sub(self, b: $type) -> $type {
+        impl<T: Scalar> Sub for $type<T> {
+            type Output = $type<T>;
+            #[inline(always)]
+            fn sub(self, b: $type<T>) -> $type<T> {
                 $type {
                     primal: $of_entries(&self.primal, &b.primal, |a, b| a - b),
                     dual: $of_entries(&self.dual, &b.dual, |a, b| a - b),
                 }
             }
         }
-        impl Neg for $type {
-            type Output = $type;
-            #[inline]
-            fn neg(self) -> $type {
+        impl<T: Scalar> Neg for $type<T> {
+            type Output = $type<T>;
+            #[inline(always)]
+            fn neg(self) -> $type<T> {
                 $type {
                     primal: $of_entries(&self.primal, &self.primal, |a, _| -a),
                     dual: $of_entries(&self.dual, &self.dual, |a, _| -a),
                 }
             }
         }
-        impl Mul<f64> for $type {
-            type Output = $type;
-            #[inline]
-            fn mul(self, b: f64) -> $type {
+        impl<T: Scalar> Mul<T> for $type<T> {
+            type Output = $type<T>;
+            #[inline(always)]
+            fn mul(self, b: T) -> $type<T> {
                 $type {
                     primal: $of_entries(&self.primal, &self.primal, |a, _| a * b),
                     dual: $of_entries(&self.dual, &self.dual, |a, _| a * b),
@@ -89,16 +90,16 @@ linear_operations!(DualVector, of_entries);
 linear_operations!(DualMatrix, of_entries);
 
 #[inline(always)]
-fn of_numbers(a: &f64, b: &f64, f: impl Fn(f64, f64) -> f64) -> f64 {
+fn of_numbers<T: Scalar>(a: &T, b: &T, f: impl Fn(T, T) -> T) -> T {
     f(*a, *b)
 }
 
 macro_rules! product_with_matrix {
     ($type:ident) => {
-        impl Mul<$type> for DualMatrix {
-            type Output = $type;
-            #[inline]
-            fn mul(self, b: $type) -> $type {
+        impl<T: Scalar> Mul<$type<T>> for DualMatrix<T> {
+            type Output = $type<T>;
+            #[inline(always)]
+            fn mul(self, b: $type<T>) -> $type<T> {
                 $type {
                     primal: product(&self.primal, &b.primal),
                     dual: sum_of_products((&self.primal, &b.dual), (&self.dual, &b.primal)),
@@ -112,14 +113,14 @@ product_with_matrix!(DualMatrix);
 
 macro_rules! product_with_dual {
     ($type:ident) => {
-        impl Mul<Dual> for $type {
-            type Output = $type;
-            #[inline]
-            fn mul(self, b: Dual) -> $type {
+        impl<T: Scalar> Mul<Dual<T>> for $type<T> {
+            type Output = $type<T>;
+            #[inline(always)]
+            fn mul(self, b: Dual<T>) -> $type<T> {
                 let (primal, dual) = (&self.primal, &self.dual);
                 $type {
                     primal: of_entries(primal, primal, |a, _| a * b.primal),
-                    dual: of_entries(primal, dual, |a, d| a * b.dual + d * b.primal),
+                    dual: of_entries(primal, dual, |a, d| (a * b.dual).plus_product(d, b.primal)),
                 }
             }
         }
@@ -178,51 +179,6 @@ impl DualVector {
         let (f, m) = (self.primal, self.dual);
         Vector6::new(f.x, f.y, f.z, m.x, m.y, m.z)
     }
-
-    /// Skew dual matrix `ã`.
-    #[inline]
-    pub fn skew(&self) -> DualMatrix {
-        DualMatrix {
-            primal: skew(&self.primal),
-            dual: skew(&self.dual),
-        }
-    }
-
-    /// `ã B`.
-    #[inline(always)]
-    pub fn skew_times(&self, b: &DualMatrix) -> DualMatrix {
-        DualMatrix {
-            primal: skew_times(&self.primal, &b.primal),
-            dual: skew_times(&self.primal, &b.dual) + skew_times(&self.dual, &b.primal),
-        }
-    }
-
-    /// Inner product `aᵀb`.
-    #[inline]
-    pub fn dot(&self, b: &DualVector) -> Dual {
-        Dual {
-            primal: self.primal.dot(&b.primal),
-            dual: self.primal.dot(&b.dual) + self.dual.dot(&b.primal),
-        }
-    }
-
-    /// Vector product `a × b = ã b`.
-    #[inline(always)]
-    pub fn cross(&self, b: &DualVector) -> DualVector {
-        DualVector {
-            primal: self.primal.cross(&b.primal),
-            dual: self.primal.cross(&b.dual) + self.dual.cross(&b.primal),
-        }
-    }
-
-    /// Outer product `a bᵀ`.
-    #[inline]
-    pub fn outer(&self, b: &DualVector) -> DualMatrix {
-        DualMatrix {
-            primal: outer_product(&self.primal, &b.primal),
-            dual: outer_product(&self.primal, &b.dual) + outer_product(&self.dual, &b.primal),
-        }
-    }
 }
 
 /// The primal part of a dual matrix, or the dual one.
@@ -253,67 +209,6 @@ impl DualMatrix {
         }
     }
 
-    /// Transpose; the inverse of a dual rotation.
-    #[inline]
-    pub fn transpose(&self) -> Self {
-        DualMatrix {
-            primal: transpose(&self.primal),
-            dual: transpose(&self.dual),
-        }
-    }
-
-    /// Product `AᵀB`.
-    #[inline]
-    pub fn tr_mul(&self, b: &DualMatrix) -> Self {
-        DualMatrix {
-            primal: product(&transpose(&self.primal), &b.primal),
-            dual: sum_of_products(
-                (&transpose(&self.primal), &b.dual),
-                (&transpose(&self.dual), &b.primal),
-            ),
-        }
-    }
-
-    /// Trace.
-    #[inline]
-    pub fn trace(&self) -> Dual {
-        Dual {
-            primal: self.primal.trace(),
-            dual: self.dual.trace(),
-        }
-    }
-
-    /// Axial vector.
-    #[inline]
-    pub fn axial(&self) -> DualVector {
-        DualVector {
-            primal: axial(&self.primal),
-            dual: axial(&self.dual),
-        }
-    }
-
-    /// `tr(A) I − A`: `axial(ã A) = ½ (tr(A) I − A) a`.
-    #[inline]
-    pub fn trace_minus(&self) -> Self {
-        let t = self.trace();
-        DualMatrix {
-            primal: Matrix3::from_diagonal_element(t.primal) - self.primal,
-            dual: Matrix3::from_diagonal_element(t.dual) - self.dual,
-        }
-    }
-
-    /// `(tr(A) I − A) b`.
-    #[inline(always)]
-    pub fn trace_minus_times(&self, b: &DualVector) -> DualVector {
-        *b * self.trace() - *self * *b
-    }
-
-    /// `tr(A) I − Aᵀ`: `axial(A ã) = ½ (tr(A) I − Aᵀ) a`.
-    #[inline]
-    pub fn trace_minus_transpose(&self) -> Self {
-        self.transpose().trace_minus()
-    }
-
     /// `axial(AᵀB)`.
     #[inline(always)]
     pub fn axial_of_tr_mul(&self, b: &DualMatrix) -> DualVector {
@@ -338,15 +233,6 @@ impl DualMatrix {
         Dual {
             primal: self.primal.dot(&b.primal),
             dual: self.primal.dot(&b.dual) + self.dual.dot(&b.primal),
-        }
-    }
-
-    /// `A b̃`.
-    #[inline(always)]
-    pub fn times_skew(&self, b: &DualVector) -> Self {
-        DualMatrix {
-            primal: times_skew(&self.primal, &b.primal),
-            dual: times_skew(&self.primal, &b.dual) + times_skew(&self.dual, &b.primal),
         }
     }
 
@@ -384,6 +270,173 @@ impl DualMatrix {
         m.fixed_view_mut::<3, 3>(3, 0).copy_from(&self.primal);
         m.fixed_view_mut::<3, 3>(3, 3).copy_from(&self.dual);
         m
+    }
+}
+
+impl<T: Scalar> DualVector<T> {
+    /// Skew dual matrix `ã`.
+    #[inline(always)]
+    pub fn skew(&self) -> DualMatrix<T> {
+        DualMatrix {
+            primal: skew(&self.primal),
+            dual: skew(&self.dual),
+        }
+    }
+
+    /// `ã B`.
+    #[inline(always)]
+    pub fn skew_times(&self, b: &DualMatrix<T>) -> DualMatrix<T> {
+        let dual = DualMatrix {
+            primal: skew_times(&self.primal, &b.dual),
+            dual: skew_times(&self.dual, &b.primal),
+        };
+        DualMatrix {
+            primal: skew_times(&self.primal, &b.primal),
+            dual: of_entries(&dual.primal, &dual.dual, |a, b| a + b),
+        }
+    }
+
+    /// Inner product `aᵀb`.
+    #[inline(always)]
+    pub fn dot(&self, b: &DualVector<T>) -> Dual<T> {
+        Dual {
+            primal: dot(&self.primal, &b.primal),
+            dual: dot(&self.primal, &b.dual) + dot(&self.dual, &b.primal),
+        }
+    }
+
+    /// Vector product `a × b = ã b`.
+    #[inline(always)]
+    pub fn cross(&self, b: &DualVector<T>) -> DualVector<T> {
+        let cross = |a: &Vector3<T>, b: &Vector3<T>| {
+            Vector3::from_array_storage(ArrayStorage([cross(a.data.0[0], b.data.0[0])]))
+        };
+        let [left, right] = [cross(&self.primal, &b.dual), cross(&self.dual, &b.primal)];
+        DualVector {
+            primal: cross(&self.primal, &b.primal),
+            dual: of_entries(&left, &right, |a, b| a + b),
+        }
+    }
+
+    /// Outer product `a bᵀ`.
+    #[inline(always)]
+    pub fn outer(&self, b: &DualVector<T>) -> DualMatrix<T> {
+        let left = outer_product(&self.primal, &b.dual);
+        let right = outer_product(&self.dual, &b.primal);
+        DualMatrix {
+            primal: outer_product(&self.primal, &b.primal),
+            dual: of_entries(&left, &right, |a, b| a + b),
+        }
+    }
+
+    /// `2 a`.
+    #[inline(always)]
+    pub fn double(self) -> Self {
+        self + self
+    }
+
+    /// Entry by entry.
+    #[inline(always)]
+    pub fn map<U: Copy>(&self, f: impl Fn(T) -> U) -> DualVector<U> {
+        let of = |a: &Vector3<T>| {
+            let [[x, y, z]] = a.data.0;
+            Vector3::from_array_storage(ArrayStorage([[f(x), f(y), f(z)]]))
+        };
+        DualVector {
+            primal: of(&self.primal),
+            dual: of(&self.dual),
+        }
+    }
+}
+
+impl<T: Scalar> DualMatrix<T> {
+    /// Transpose; the inverse of a dual rotation.
+    #[inline(always)]
+    pub fn transpose(&self) -> Self {
+        DualMatrix {
+            primal: transpose(&self.primal),
+            dual: transpose(&self.dual),
+        }
+    }
+
+    /// Product `AᵀB`.
+    #[inline(always)]
+    pub fn tr_mul(&self, b: &DualMatrix<T>) -> Self {
+        self.transpose() * *b
+    }
+
+    /// `2 A`.
+    #[inline(always)]
+    pub fn double(self) -> Self {
+        self + self
+    }
+
+    /// Trace.
+    #[inline(always)]
+    pub fn trace(&self) -> Dual<T> {
+        Dual {
+            primal: trace(&self.primal),
+            dual: trace(&self.dual),
+        }
+    }
+
+    /// Axial vector.
+    #[inline(always)]
+    pub fn axial(&self) -> DualVector<T> {
+        DualVector {
+            primal: axial(&self.primal),
+            dual: axial(&self.dual),
+        }
+    }
+
+    /// `tr(A) I − A`: `axial(ã A) = ½ (tr(A) I − A) a`.
+    #[inline(always)]
+    pub fn trace_minus(&self) -> Self {
+        let t = self.trace();
+        let mut difference = -*self;
+        for i in 0..3 {
+            let DualMatrix { primal, dual } = &mut difference;
+            primal.data.0[i][i] = t.primal - self.primal.data.0[i][i];
+            dual.data.0[i][i] = t.dual - self.dual.data.0[i][i];
+        }
+        difference
+    }
+
+    /// `(tr(A) I − A) b`.
+    #[inline(always)]
+    pub fn trace_minus_times(&self, b: &DualVector<T>) -> DualVector<T> {
+        *b * self.trace() - *self * *b
+    }
+
+    /// `tr(A) I − Aᵀ`: `axial(A ã) = ½ (tr(A) I − Aᵀ) a`.
+    #[inline(always)]
+    pub fn trace_minus_transpose(&self) -> Self {
+        self.transpose().trace_minus()
+    }
+
+    /// `A b̃`.
+    #[inline(always)]
+    pub fn times_skew(&self, b: &DualVector<T>) -> Self {
+        let left = times_skew(&self.primal, &b.dual);
+        let right = times_skew(&self.dual, &b.primal);
+        DualMatrix {
+            primal: times_skew(&self.primal, &b.primal),
+            dual: of_entries(&left, &right, |a, b| a + b),
+        }
+    }
+
+    /// Entry by entry.
+    #[inline(always)]
+    pub fn map<U: Copy>(&self, f: impl Fn(T) -> U) -> DualMatrix<U> {
+        let of = |[x, y, z]: [T; 3]| [f(x), f(y), f(z)];
+        let of = |a: &Matrix3<T>| {
+            let [x, y, z] = a.data.0;
+            Matrix3::from_array_storage(ArrayStorage([of(x), of(y), of(z)]))
+        };
+        DualMatrix {
+            primal: of(&self.primal),
+            dual: of(&self.dual),
+        }
     }
 }
 

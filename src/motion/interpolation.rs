@@ -11,13 +11,13 @@ use super::rotation::{axial, skew};
 
 /// Dual polar decomposition `G = R S` of a weighted sum of motions `G = Σ w_k M_k`.
 #[derive(Debug, Clone, Copy)]
-pub struct DualPolar {
+pub struct DualPolar<T = f64> {
     /// Dual rotation `R`: the interpolated motion.
-    pub rotation: DualMatrix,
+    pub rotation: DualMatrix<T>,
     /// Symmetric factor `S`.
-    pub factor: DualMatrix,
+    pub factor: DualMatrix<T>,
     /// `A⁻¹`, with `A = tr(S) I − S`.
-    pub spread_inverse: DualMatrix,
+    pub spread_inverse: DualMatrix<T>,
 }
 
 impl DualPolar {

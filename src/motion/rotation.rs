@@ -1,43 +1,60 @@
 //! Rotations, skew matrices and quaternions.
 
 use super::product::product;
+use super::scalar::Scalar;
 use nalgebra::{ArrayStorage, Matrix3, Rotation3, UnitQuaternion, Vector3};
 
 /// Skew matrix `ã`, with `ã b = a × b`.
-#[inline]
-pub fn skew(a: &Vector3<f64>) -> Matrix3<f64> {
-    Matrix3::new(0.0, -a.z, a.y, a.z, 0.0, -a.x, -a.y, a.x, 0.0)
+#[inline(always)]
+pub fn skew<T: Scalar>(a: &Vector3<T>) -> Matrix3<T> {
+    let [[x, y, z]] = a.data.0;
+    let zero = x.constant(0.0);
+    let columns = [[zero, z, -y], [-z, zero, x], [y, -x, zero]];
+    Matrix3::from_array_storage(ArrayStorage(columns))
+}
+
+/// `a × b`.
+#[inline(always)]
+pub fn cross<T: Scalar>([ax, ay, az]: [T; 3], [bx, by, bz]: [T; 3]) -> [T; 3] {
+    [
+        (ay * bz).minus_product(az, by),
+        (az * bx).minus_product(ax, bz),
+        (ax * by).minus_product(ay, bx),
+    ]
 }
 
 /// `A b̃`.
 #[inline(always)]
-pub fn times_skew(a: &Matrix3<f64>, b: &Vector3<f64>) -> Matrix3<f64> {
-    let [x, y, z] = a.data.0.map(Vector3::from);
-    let columns = [y * b.z - z * b.y, z * b.x - x * b.z, x * b.y - y * b.x];
-    Matrix3::from_columns(&columns)
+pub fn times_skew<T: Scalar>(a: &Matrix3<T>, b: &Vector3<T>) -> Matrix3<T> {
+    let ([x, y, z], [[bx, by, bz]]) = (a.data.0, b.data.0);
+    let mut columns = a.data.0;
+    for i in 0..3 {
+        columns[0][i] = (y[i] * bz).minus_product(z[i], by);
+        columns[1][i] = (z[i] * bx).minus_product(x[i], bz);
+        columns[2][i] = (x[i] * by).minus_product(y[i], bx);
+    }
+    Matrix3::from_array_storage(ArrayStorage(columns))
 }
 
 /// `ã B`.
 #[inline(always)]
-pub fn skew_times(a: &Vector3<f64>, b: &Matrix3<f64>) -> Matrix3<f64> {
-    let cross = |b: [f64; 3]| {
-        [
-            a.y * b[2] - a.z * b[1],
-            a.z * b[0] - a.x * b[2],
-            a.x * b[1] - a.y * b[0],
-        ]
-    };
-    Matrix3::from_array_storage(ArrayStorage(b.data.0.map(cross)))
+pub fn skew_times<T: Scalar>(a: &Vector3<T>, b: &Matrix3<T>) -> Matrix3<T> {
+    let ([a], [x, y, z]) = (a.data.0, b.data.0);
+    let columns = [cross(a, x), cross(a, y), cross(a, z)];
+    Matrix3::from_array_storage(ArrayStorage(columns))
 }
 
 /// Axial vector `½ (A32 − A23, A13 − A31, A21 − A12)`; `axial(ã) = a`.
-#[inline]
-pub fn axial(m: &Matrix3<f64>) -> Vector3<f64> {
-    0.5 * Vector3::new(
-        m[(2, 1)] - m[(1, 2)],
-        m[(0, 2)] - m[(2, 0)],
-        m[(1, 0)] - m[(0, 1)],
-    )
+#[inline(always)]
+pub fn axial<T: Scalar>(m: &Matrix3<T>) -> Vector3<T> {
+    let [x, y, z] = m.data.0;
+    let half = x[0].constant(0.5);
+    let entries = [
+        half * (y[2] - z[1]),
+        half * (z[0] - x[2]),
+        half * (x[1] - y[0]),
+    ];
+    Vector3::from_array_storage(ArrayStorage([entries]))
 }
 
 /// Rotation by the angle `|v|` about `v` (exponential map).

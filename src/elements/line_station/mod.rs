@@ -7,11 +7,12 @@
 mod variations;
 
 pub(super) use variations::{
-    SecondTerms, geometric_stiffness, rate_variations, second_variations, spread_variation, turned,
+    SecondTerms, SecondVariations, geometric_stiffness, rate_variations, second_variations,
+    spread_variation, turned,
 };
 
 use crate::error::{Error, ErrorKind, Result};
-use crate::motion::{DualMatrix, DualPolar, DualVector, Motion};
+use crate::motion::{DualMatrix, DualPolar, DualVector, Motion, Scalar};
 
 /// Shape functions at one place of an element and their derivatives in one direction, a pair for
 /// each node.
@@ -22,38 +23,47 @@ pub(super) struct LineStation {
 
 /// Kinematics of a station: polar factors, and `G'` in the section's frame.
 #[derive(Debug, Clone)]
-pub(super) struct StationMotion {
-    pub polar: DualPolar,
-    pub q: DualMatrix,
+pub(super) struct StationMotion<T = f64> {
+    pub polar: DualPolar<T>,
+    pub q: DualMatrix<T>,
     /// "Velocity in ξ".
-    pub e: DualVector,
+    pub e: DualVector<T>,
 }
 
 /// Where one node is, seen from one station.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct NodePlace {
+pub(super) struct NodePlace<T = f64> {
     /// The node's shape function there, and its derivative in ξ.
-    pub shape: (f64, f64),
+    pub shape: (T, T),
     /// Motion of the node relative to the section, `X = RᵀM`.
-    pub x: DualMatrix,
-    pub x_axial: DualVector,
+    pub x: DualMatrix<T>,
+    pub x_axial: DualVector<T>,
 }
 
 /// What the tangent needs of one node at one station.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct NodeTerms {
+pub(super) struct NodeTerms<T = f64> {
     /// `X ẽ`.
-    pub x_e: DualMatrix,
+    pub x_e: DualMatrix<T>,
     /// Section's turn and strain for a unit increment of the node.
-    pub turn: DualMatrix,
-    pub strain: DualMatrix,
+    pub turn: DualMatrix<T>,
+    pub strain: DualMatrix<T>,
     /// Strain rate, at constant nodal velocities, for a unit increment of the node.
-    pub rate: DualMatrix,
+    pub rate: DualMatrix<T>,
 }
 
-impl NodePlace {
+impl<T: Scalar> NodePlace<T> {
+    /// A node at `y` in the frame that the station's motion is relative to.
+    #[inline(always)]
+    pub fn new(at: &StationMotion<T>, y: &DualMatrix<T>, shape: (T, T)) -> Self {
+        let x = at.polar.rotation.tr_mul(y);
+        let x_axial = x.axial();
+        NodePlace { shape, x, x_axial }
+    }
+
     /// `C = tr(X) I − Xᵀ`.
-    pub fn c(&self) -> DualMatrix {
+    #[inline(always)]
+    pub fn c(&self) -> DualMatrix<T> {
         self.x.trace_minus_transpose()
     }
 }
@@ -94,11 +104,7 @@ impl LineStation {
         relative: &'a [DualMatrix],
     ) -> impl Iterator<Item = NodePlace> + 'a {
         let nodes = relative.iter().zip(&self.shapes);
-        nodes.map(|(y, &shape)| {
-            let x = at.polar.rotation.tr_mul(y);
-            let x_axial = x.axial();
-            NodePlace { shape, x, x_axial }
-        })
+        nodes.map(|(y, &shape)| NodePlace::new(at, y, shape))
     }
 }
 
@@ -120,32 +126,76 @@ fn polar_factors(g: &DualMatrix) -> Result<DualPolar> {
     })
 }
 
-impl StationMotion {
+impl<T: Scalar> StationMotion<T> {
     /// `P = (S e)~ − tr(Q) I + Q`.
-    pub fn turn_to_strain(&self) -> DualMatrix {
+    #[inline(always)]
+    pub fn turn_to_strain(&self) -> DualMatrix<T> {
         (self.polar.factor * self.e).skew() - self.q.trace_minus()
     }
 
     /// First variations: section turn `A Δρ = Σ N_a C_a Δu_a` and strain
-    /// `A Δe = Σ (N'_a C_a + N_a (2 e x_aᵀ − X_a ẽ)) Δu_a + P Δρ`.
+    /// `A Δe = Σ (N'_a C_a + N_a (2 e x_aᵀ − X_a ẽ)) Δu_a + P Δρ`, of one node.
+    #[inline(always)]
+    pub fn terms_of(&self, turn_to_strain: &DualMatrix<T>, node: &NodePlace<T>) -> NodeTerms<T> {
+        let a_inverse = self.polar.spread_inverse;
+        let (n, n_prime) = node.shape;
+        let (c, x_e) = (node.c(), node.x.times_skew(&self.e));
+        let turn = a_inverse * c * n;
+        let direct = c * n_prime + (self.e.outer(&node.x_axial).double() - x_e) * n;
+        NodeTerms {
+            x_e,
+            turn,
+            strain: a_inverse * (direct + *turn_to_strain * turn),
+            rate: node.x.map(|number| number.constant(0.0)),
+        }
+    }
+
+    /// Force `N' Cᵀ μ + N (Cᵀ ν + 2 (μᵀe) x + ẽ Xᵀ μ)` of a stress resultant on a node: what does
+    /// work on the first variation of the strain.
+    #[inline(always)]
+    pub fn force_on(
+        &self,
+        (mu, nu): &(DualVector<T>, DualVector<T>),
+        node: &NodePlace<T>,
+    ) -> DualVector<T> {
+        let (n, n_prime) = node.shape;
+        let (x, e) = (&node.x, &self.e);
+        let by_e = (node.x_axial * mu.dot(e)).double();
+        let by_shape = x.trace_minus_times(nu) + by_e + e.cross(&(x.transpose() * *mu));
+        x.trace_minus_times(mu) * n_prime + by_shape * n
+    }
+
+    /// `μ = A⁻¹ σ` and `ν = A⁻¹ Pᵀ μ` of a stress resultant.
+    #[inline(always)]
+    pub fn adjoint(&self, stress: &DualVector<T>) -> (DualVector<T>, DualVector<T>) {
+        let a_inverse = self.polar.spread_inverse;
+        let mu = a_inverse * *stress;
+        (mu, a_inverse * (self.turn_to_strain().transpose() * mu))
+    }
+
+    /// Number by number.
+    #[inline(always)]
+    pub fn map<U: Copy>(&self, f: impl Fn(T) -> U) -> StationMotion<U> {
+        StationMotion {
+            polar: DualPolar {
+                rotation: self.polar.rotation.map(&f),
+                factor: self.polar.factor.map(&f),
+                spread_inverse: self.polar.spread_inverse.map(&f),
+            },
+            q: self.q.map(&f),
+            e: self.e.map(&f),
+        }
+    }
+}
+
+impl StationMotion {
+    /// First variations, node by node.
     pub fn node_terms<'a>(
         &'a self,
         places: impl Iterator<Item = NodePlace> + 'a,
     ) -> impl Iterator<Item = NodeTerms> + 'a {
-        let a_inverse = self.polar.spread_inverse;
         let turn_to_strain = self.turn_to_strain();
-        places.map(move |node| {
-            let (n, n_prime) = node.shape;
-            let (c, x_e) = (node.c(), node.x.times_skew(&self.e));
-            let turn = a_inverse * c * n;
-            let direct = c * n_prime + (self.e.outer(&node.x_axial) * 2.0 - x_e) * n;
-            NodeTerms {
-                x_e,
-                turn,
-                strain: a_inverse * (direct + turn_to_strain * turn),
-                rate: DualMatrix::zeros(),
-            }
-        })
+        places.map(move |node| self.terms_of(&turn_to_strain, &node))
     }
 
     /// `ė`: the first variation for the nodes' velocities.
@@ -167,28 +217,13 @@ impl StationMotion {
         a_inverse * (direct + self.turn_to_strain() * (a_inverse * turn))
     }
 
-    /// Force `N' Cᵀ μ + N (Cᵀ ν + 2 (μᵀe) x + ẽ Xᵀ μ)` of a stress resultant on each node: what
-    /// does work on the first variation of the strain.
+    /// Forces of a stress resultant, node by node.
     pub fn node_forces<'a>(
         &'a self,
         stress: &DualVector,
         places: impl Iterator<Item = &'a NodePlace> + 'a,
     ) -> impl Iterator<Item = DualVector> + 'a {
-        let (mu, nu) = self.adjoint(stress);
-        let mu_e = mu.dot(&self.e) * 2.0;
-        places.map(move |node| {
-            let (n, n_prime) = node.shape;
-            let (x, e) = (&node.x, &self.e);
-            let by_shape =
-                x.trace_minus_times(&nu) + node.x_axial * mu_e + e.cross(&(x.transpose() * mu));
-            x.trace_minus_times(&mu) * n_prime + by_shape * n
-        })
-    }
-
-    /// `μ = A⁻¹ σ` and `ν = A⁻¹ Pᵀ μ` of a stress resultant.
-    pub fn adjoint(&self, stress: &DualVector) -> (DualVector, DualVector) {
-        let a_inverse = self.polar.spread_inverse;
-        let mu = a_inverse * *stress;
-        (mu, a_inverse * (self.turn_to_strain().transpose() * mu))
+        let adjoint = self.adjoint(stress);
+        places.map(move |node| self.force_on(&adjoint, node))
     }
 }

@@ -1,65 +1,100 @@
 //! Second variations of strains (docs/theory.md, sections 6.4 and 6.5).
 
 use super::{NodePlace, NodeTerms, StationMotion};
-use crate::motion::{DualMatrix, DualVector};
+use crate::motion::{Dual, DualMatrix, DualVector, Scalar};
 use nalgebra::Matrix6;
 
 /// `2 w xᵀ − X w̃` with `x = axial(X)`: the part of `−ΔA w` that a node's own increment causes.
-pub fn spread_variation(x: &DualMatrix, w: &DualVector) -> DualMatrix {
-    w.outer(&x.axial()) * 2.0 - x.times_skew(w)
+#[inline(always)]
+pub fn spread_variation<T: Scalar>(x: &DualMatrix<T>, w: &DualVector<T>) -> DualMatrix<T> {
+    w.outer(&x.axial()).double() - x.times_skew(w)
 }
 
 /// `2 w xᵀ − (X w)~`: the part of `ΔCᵀ w` that the section's turn causes; a node's own increment
 /// causes minus its [`spread_variation`].
-pub fn turned(x: &DualMatrix, w: &DualVector) -> DualMatrix {
-    w.outer(&x.axial()) * 2.0 - (*x * *w).skew()
+#[inline(always)]
+pub fn turned<T: Scalar>(x: &DualMatrix<T>, w: &DualVector<T>) -> DualMatrix<T> {
+    w.outer(&x.axial()).double() - (*x * *w).skew()
 }
 
 /// What one node contributes to the second variation of `σᵀ Δe`.
 #[derive(Debug, Clone, Copy)]
-pub struct SecondTerms {
+pub struct SecondTerms<T = f64> {
     /// What multiplies the strains and turns that other nodes cause.
-    pub by_strain: DualMatrix,
-    pub by_turn: DualMatrix,
+    pub by_strain: DualMatrix<T>,
+    pub by_turn: DualMatrix<T>,
     /// What the node's own increment does to `A Δμ` and `A Δν`.
-    pub mu: DualMatrix,
-    pub nu: DualMatrix,
+    pub mu: DualMatrix<T>,
+    pub nu: DualMatrix<T>,
     /// What it does to its own force at constant `μ` and `ν`.
-    pub own: DualMatrix,
+    pub own: DualMatrix<T>,
 }
 
-/// Second variation of `σᵀ Δe` at constant `σ` (docs/theory.md, section 6.4), node by node.
+/// Second variation of `σᵀ Δe` at constant `σ` (docs/theory.md, section 6.4): what all nodes have
+/// in common.
+#[derive(Debug, Clone, Copy)]
+pub struct SecondVariations<T = f64> {
+    e: DualVector<T>,
+    mu: DualVector<T>,
+    nu: DualVector<T>,
+    mu_e: Dual<T>,
+    mu_s: DualMatrix<T>,
+    s_mu: DualVector<T>,
+    /// Part of `A Δν` that comes through the section's turn.
+    nu_by_turn: DualMatrix<T>,
+}
+
+impl<T: Scalar> SecondVariations<T> {
+    #[inline(always)]
+    pub fn new(at: &StationMotion<T>, stress: &DualVector<T>) -> Self {
+        let (s, e) = (at.polar.factor, at.e);
+        let (mu, nu) = at.adjoint(stress);
+        let nu_by_turn = mu.skew_times(&(s * e).skew()) + (s * nu).skew()
+            - mu.outer(&at.q.axial()).double()
+            - at.q.transpose().times_skew(&mu);
+        SecondVariations {
+            e,
+            mu,
+            nu,
+            mu_e: mu.dot(&e),
+            mu_s: mu.skew_times(&s),
+            s_mu: s * mu,
+            nu_by_turn,
+        }
+    }
+
+    /// What a node contributes.
+    #[inline(always)]
+    pub fn of(&self, node: &NodePlace<T>, terms: &NodeTerms<T>) -> SecondTerms<T> {
+        let (n, n_prime) = node.shape;
+        let (x, x_axial) = (&node.x, &node.x_axial);
+        let (mu, nu, mu_e) = (&self.mu, &self.nu, self.mu_e);
+        let x_mu = x.transpose() * *mu;
+        let mu_x_e = mu.skew_times(&terms.x_e);
+        let (psi_mu, psi_nu) = (spread_variation(x, mu), spread_variation(x, nu));
+        let turn = terms.turn.transpose();
+        let theta = turned(x, mu) * n_prime
+            + (turned(x, nu) - x.trace_minus() * mu_e - mu_x_e.transpose()) * n;
+        let by_strain = terms.strain.transpose().times_skew(&self.s_mu);
+        SecondTerms {
+            by_strain: (x_axial.outer(mu).double() - x_mu.skew()) * n + turn * self.mu_s,
+            by_turn: theta + turn * self.nu_by_turn + by_strain,
+            mu: psi_mu * n,
+            nu: (mu.outer(x_axial).double() + x_mu.skew()) * n_prime + (psi_nu - mu_x_e) * n,
+            own: (node.c() * mu_e + self.e.skew().times_skew(&x_mu) - psi_nu) * n
+                - psi_mu * n_prime,
+        }
+    }
+}
+
+/// [`SecondVariations`], node by node.
 pub fn second_variations<'a>(
-    at: &'a StationMotion,
+    at: &StationMotion,
     stress: &DualVector,
     nodes: impl Iterator<Item = (&'a NodePlace, &'a NodeTerms)> + 'a,
 ) -> impl Iterator<Item = SecondTerms> + 'a {
-    let (s, e) = (at.polar.factor, at.e);
-    let (mu, nu) = at.adjoint(stress);
-    let mu_e = mu.dot(&e);
-    let mu_s = mu.skew_times(&s);
-    let s_mu = s * mu;
-    // Part of A Δν that comes through the section's turn.
-    let nu_by_turn = mu.skew_times(&(s * e).skew()) + (s * nu).skew()
-        - mu.outer(&at.q.axial()) * 2.0
-        - at.q.transpose().times_skew(&mu);
-    nodes.map(move |(node, terms)| {
-        let (n, n_prime) = node.shape;
-        let (x, x_axial) = (&node.x, &node.x_axial);
-        let x_mu = x.transpose() * mu;
-        let mu_x_e = mu.skew_times(&terms.x_e);
-        let [psi_mu, psi_nu] = [mu, nu].map(|w| spread_variation(x, &w));
-        let turn = terms.turn.transpose();
-        let theta = turned(x, &mu) * n_prime
-            + (turned(x, &nu) - x.trace_minus() * mu_e - mu_x_e.transpose()) * n;
-        SecondTerms {
-            by_strain: (x_axial.outer(&mu) * 2.0 - x_mu.skew()) * n + turn * mu_s,
-            by_turn: theta + turn * nu_by_turn + terms.strain.transpose().times_skew(&s_mu),
-            mu: psi_mu * n,
-            nu: (mu.outer(x_axial) * 2.0 + x_mu.skew()) * n_prime + (psi_nu - mu_x_e) * n,
-            own: (node.c() * mu_e + e.skew().times_skew(&x_mu) - psi_nu) * n - psi_mu * n_prime,
-        }
-    })
+    let second = SecondVariations::new(at, stress);
+    nodes.map(move |(node, terms)| second.of(node, terms))
 }
 
 /// Geometric stiffness, block by block: passed to `add(a, b, block)`.

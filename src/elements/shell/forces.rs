@@ -149,6 +149,7 @@ impl Shell {
         if out.with_tangents {
             if !instant.resultants.is_empty() {
                 self.collect(instant.resultants, &mut scratch.at_samples[0]);
+                self.find_forces(scratch);
             }
             self.add_tangents(self.damping(instant.nodes), scratch, out);
         }
@@ -167,15 +168,13 @@ impl Shell {
     pub(super) fn find_strains(&self, states: &[NodeState], scratch: &mut Scratch) -> Result<()> {
         let Damping { rates_vary, .. } = self.damping(states);
         self.begin(states, scratch);
-        let count = self.nodes.len();
         for sample in &self.samples {
             let at = sample.line.motion(&scratch.relative)?;
-            scratch
-                .places
-                .extend(sample.line.places(&at, &scratch.relative));
             let rate = if rates_vary {
-                let places = &scratch.places[scratch.places.len() - count..];
-                at.strain_rate(places, |a| scratch.twists[a])
+                let places = sample.line.places(&at, &scratch.relative);
+                scratch.places.clear();
+                scratch.places.extend(places);
+                at.strain_rate(&scratch.places, |a| scratch.twists[a])
             } else {
                 DualVector::zeros()
             };
@@ -192,7 +191,6 @@ impl Shell {
     fn begin(&self, states: &[NodeState], scratch: &mut Scratch) {
         scratch.relative.clear();
         scratch.twists.clear();
-        scratch.places.clear();
         scratch.motions.clear();
         scratch.rates.clear();
         scratch.at_samples.iter_mut().for_each(Vec::clear);
@@ -203,6 +201,15 @@ impl Shell {
             let twist = DualVector::from_twist(&state.twist);
             scratch.twists.push(dual.transpose() * twist);
         }
+        let relative = &scratch.relative;
+        let entry = |i: usize| {
+            relative.iter().map(move |y| match i < 9 {
+                true => y.primal[i],
+                false => y.dual[i - 9],
+            })
+        };
+        scratch.relative_rows.clear();
+        scratch.relative_rows.extend((0..18).flat_map(entry));
     }
 
     /// Strains, and their rates, of the Gauss points by those of the samples.
@@ -252,26 +259,22 @@ impl Shell {
 
     /// Adds the forces of the integrated resultants at the samples.
     fn add_forces(&self, scratch: &mut Scratch, out: &mut Contribution) {
+        self.find_forces(scratch);
         let count = self.nodes.len();
-        scratch.forces.clear();
-        scratch.forces.resize(count, DualVector::zeros());
-        let samples = scratch.motions.iter().zip(&scratch.at_samples[0]);
-        for ((at, stress), places) in samples.zip(scratch.places.chunks(count)) {
-            let forces = at.node_forces(&DualVector::from_wrench(stress), places.iter());
-            for (sum, force) in scratch.forces.iter_mut().zip(forces) {
-                *sum += force;
-            }
-        }
-        for (a, (force, frame)) in scratch.forces.iter().zip(&self.dual_frames).enumerate() {
-            out.add_force(a, &(*frame * *force).to_wrench());
+        for (a, frame) in self.dual_frames.iter().enumerate() {
+            let wrench = Vector6::from_fn(|i, _| scratch.forces[i * count + a]);
+            let force = DualVector::from_wrench(&wrench);
+            out.add_force(a, &(*frame * force).to_wrench());
         }
     }
 
     /// Finds the terms of a sample, for strains that were found: what these vary by.
     pub(super) fn find_terms(&self, sample: usize, damping: Damping, scratch: &mut Scratch) {
-        let count = self.nodes.len();
-        let places = &scratch.places[sample * count..][..count];
         let at = &scratch.motions[sample];
+        let places = self.samples[sample].line.places(at, &scratch.relative);
+        scratch.places.clear();
+        scratch.places.extend(places);
+        let places = &scratch.places;
         scratch.terms.clear();
         scratch.terms.extend(at.node_terms(places.iter().copied()));
         if damping.rates_vary {

@@ -6,6 +6,7 @@
 //! sampled where they are most accurate in their own direction, so that nothing locks: each sample
 //! is a station of a line, and what is constant between samples and resultants is the shell's.
 
+mod factors;
 mod forces;
 mod frames;
 mod grid;
@@ -54,6 +55,8 @@ pub struct Shell {
 #[derive(Debug, Clone)]
 struct Sample {
     line: LineStation,
+    /// Its shape functions, and then their derivatives.
+    shapes: [Vec<f64>; 2],
     /// "Velocity" of the reference configuration.
     reference: Vector6<f64>,
 }

@@ -1,10 +1,10 @@
 //! Products of large matrices that make the tangents of a shell element.
 //!
 //! Factors are kept transposed, a column for each direction of each term, and a row for each
-//! direction of each node.
+//! direction of each node: the first direction of all nodes, then the second, then the third.
 
 use crate::elements::add_block;
-use crate::elements::line_station::{NodeTerms, SecondTerms};
+use crate::elements::line_station::NodeTerms;
 use crate::motion::{DualMatrix, transpose};
 use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, MatRef, Par};
@@ -41,21 +41,44 @@ impl Quadrants {
     }
 
     /// Adds all to a matrix of 6×6 blocks, in the frames of the nodes; of what is symmetric the
-    /// blocks on the diagonal and above it count.
-    pub(super) fn add_to(&self, frames: &[DualMatrix], symmetric: bool, to: &mut DMatrix<f64>) {
-        let rows = 3 * frames.len();
+    /// entries on the diagonal and above it count, and `forces` on the frames, component by
+    /// component, if there are any: increments of one node do not commute, `K_aa − K_aaᵀ = f̃_a`.
+    pub(super) fn add_to(
+        &self,
+        frames: &[DualMatrix],
+        symmetric: bool,
+        forces: &[f64],
+        to: &mut DMatrix<f64>,
+    ) {
+        let count = frames.len();
+        let rows = 3 * count;
         let block = |quadrant: &Factor, a: usize, b: usize| {
-            let column = |j| {
-                let from = &quadrant[(3 * b + j) * rows + 3 * a..][..3];
-                [from[0], from[1], from[2]]
-            };
-            Matrix3::from_array_storage(ArrayStorage([0, 1, 2].map(column)))
+            let entry = |i, j| quadrant[(j * count + b) * rows + i * count + a];
+            let column = |j| [entry(0, j), entry(1, j), entry(2, j)];
+            Matrix3::from_array_storage(ArrayStorage([column(0), column(1), column(2)]))
+        };
+        // Of what is symmetric there is what is on the diagonal of the sum and above it.
+        let own = |quadrant: &Factor, a: usize, b: usize| {
+            let below = block(quadrant, a, b);
+            if !symmetric {
+                return below;
+            }
+            let above = block(quadrant, b, a);
+            Matrix3::from_fn(|i, j| match i * count + a <= j * count + b {
+                true => below[(i, j)],
+                false => above[(j, i)],
+            })
         };
         for (b, right) in frames.iter().enumerate() {
             let right = right.transpose();
-            let count = if symmetric { b + 1 } else { frames.len() };
-            for (a, left) in frames[..count].iter().enumerate() {
-                let coupling = block(&self.coupling, a, b);
+            let above = if symmetric { b + 1 } else { count };
+            for (a, left) in frames[..above].iter().enumerate() {
+                let [force, moment] = match a == b && symmetric && !forces.is_empty() {
+                    true => [0, 3].map(|first| below_diagonal(forces, first, count, a)),
+                    false => [Matrix3::zeros(); 2],
+                };
+                let coupling = own(&self.coupling, a, b) + force;
+                let angular = own(&self.angular, a, b) + moment;
                 let linear_angular = coupling + block(&self.linear_angular, a, b);
                 let angular_linear = coupling
                     + if symmetric {
@@ -71,8 +94,8 @@ impl Quadrants {
                     };
                     both * right
                 };
-                let force = by_increments(block(&self.linear, a, b), linear_angular);
-                let moment = by_increments(angular_linear, block(&self.angular, a, b));
+                let force = by_increments(own(&self.linear, a, b), linear_angular);
+                let moment = by_increments(angular_linear, angular);
                 let columns = |force: &Matrix3<f64>, moment: &Matrix3<f64>| {
                     let both = DualMatrix {
                         primal: *force,
@@ -101,33 +124,31 @@ impl Quadrants {
     }
 }
 
+/// The part of `ã` below its diagonal, for three components of the forces on a node.
+fn below_diagonal(forces: &[f64], first: usize, count: usize, node: usize) -> Matrix3<f64> {
+    let [x, y, z] = [0, 1, 2].map(|i| forces[(first + i) * count + node]);
+    Matrix3::new(0.0, 0.0, 0.0, z, 0.0, 0.0, -y, x, 0.0)
+}
+
 /// The factors, in the element's frames.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Products {
     /// Of the geometric stiffness, primal and dual: `μᵀ νᵀ Sᵀ Tᵀ X Y`.
-    geometric: [Factor; 2],
+    pub(super) geometric: [Factor; 2],
     /// Transposed variations of the samples' rates, primal and dual.
     rates: [Factor; 2],
-    /// What the nodes' increments do to their own forces.
-    own: Vec<DualMatrix>,
+    /// What the nodes' increments do to their own forces: entries, primal and dual, a row of the
+    /// nodes for each.
+    pub(super) own: Factor,
     /// `B̂ᵀ`, primal and dual; and the same of the rates.
     pub(super) strains: [[Factor; 2]; 2],
     /// `(𝓗 B̂)ᵀ`: linear and angular rows by linear columns, then by angular ones.
     pub(super) stresses: [Factor; 4],
-    /// What velocities in ξ and η vary by at one point, transposed.
-    pub(super) of_point: Factor,
     pub(super) stiffness: Quadrants,
     pub(super) damping: Quadrants,
 }
 
-/// Writes the transpose of a block in three rows, for a node, and three columns.
-fn write(factor: &mut Factor, rows: usize, (node, column): (usize, usize), block: &Matrix3<f64>) {
-    for (k, from) in transpose(block).data.0.iter().enumerate() {
-        factor[(column + k) * rows + 3 * node..][..3].copy_from_slice(from);
-    }
-}
-
-/// Adds `A Bᵀ` to a quadrant, or of a symmetric one at least to the blocks on the diagonal and
+/// Adds `A Bᵀ` to a quadrant, or of a symmetric one at least to the entries on the diagonal and
 /// above it.
 fn add_product(to: &mut Factor, rows: usize, symmetric: bool, a: &[f64], b: &[f64]) {
     let columns = a.len() / rows;
@@ -149,7 +170,7 @@ fn add_product(to: &mut Factor, rows: usize, symmetric: bool, a: &[f64], b: &[f6
     }
 }
 
-/// Columns of a symmetric product that are found together: whole blocks.
+/// Columns of a symmetric product that are found together.
 const TILE: usize = 24;
 
 /// Directions of the six factors of the geometric stiffness.
@@ -164,41 +185,23 @@ impl Products {
             factor.resize(rows * 3 * samples, 0.0);
         }
         self.own.clear();
-        self.own.resize(rows / 3, DualMatrix::zeros());
+        self.own.resize(18 * rows / 3, 0.0);
         let all = self.strains.iter_mut().flatten().chain(&mut self.stresses);
         all.for_each(|factor| factor.resize(rows * 6 * points, 0.0));
         self.stiffness.clear(rows);
         self.damping.clear(rows);
     }
 
-    /// Writes the factors of a sample.
-    pub(super) fn write_sample(
-        &mut self,
-        (sample, samples): (usize, usize),
-        terms: &[NodeTerms],
-        second: impl Iterator<Item = SecondTerms>,
-        rates_vary: bool,
-    ) {
-        let rows = 3 * terms.len();
-        for (a, (node, second)) in terms.iter().zip(second).enumerate() {
-            let factors = [
-                &second.mu,
-                &second.nu,
-                &node.strain,
-                &node.turn,
-                &second.by_strain.transpose(),
-                &second.by_turn.transpose(),
-            ];
-            for (f, factor) in factors.iter().enumerate() {
-                let place = (a, 3 * (f * samples + sample));
-                write(&mut self.geometric[0], rows, place, &factor.primal);
-                write(&mut self.geometric[1], rows, place, &factor.dual);
+    /// Writes what the rates of a sample vary by.
+    pub(super) fn write_rates(&mut self, sample: usize, terms: &[NodeTerms]) {
+        let count = terms.len();
+        for (a, node) in terms.iter().enumerate() {
+            let parts = [&node.rate.primal, &node.rate.dual];
+            for (factor, rate) in self.rates.iter_mut().zip(parts) {
+                for (k, i) in (0..9).map(|entry| (entry / 3, entry % 3)) {
+                    factor[((3 * sample + k) * 3 + i) * count + a] = rate[(k, i)];
+                }
             }
-            if rates_vary {
-                write(&mut self.rates[0], rows, (a, 3 * sample), &node.rate.primal);
-                write(&mut self.rates[1], rows, (a, 3 * sample), &node.rate.dual);
-            }
-            self.own[a] += second.own;
         }
     }
 
@@ -223,12 +226,13 @@ impl Products {
         add_product(&mut sums.coupling, rows, symmetric, left, right);
         add_product(&mut sums.angular, rows, symmetric, left, right_dual);
         add_product(&mut sums.angular, rows, symmetric, left_dual, right);
-        for (a, own) in self.own.iter().enumerate() {
-            for i in 0..3 {
-                for j in 0..3 {
-                    let at = (3 * a + j) * rows + 3 * a + i;
-                    sums.coupling[at] += own.primal[(i, j)];
-                    sums.angular[at] += own.dual[(i, j)];
+        let count = rows / 3;
+        let parts = [&mut sums.coupling, &mut sums.angular];
+        for (to, own) in parts.into_iter().zip(self.own.chunks_exact(9 * count)) {
+            for (entry, own) in own.chunks_exact(count).enumerate() {
+                let (j, i) = (entry / 3, entry % 3);
+                for (a, own) in own.iter().enumerate() {
+                    to[(j * count + a) * rows + i * count + a] += own;
                 }
             }
         }
@@ -273,5 +277,5 @@ impl Products {
 
 /// A block that was written.
 pub(super) fn read(factor: &Factor, rows: usize, (node, column): (usize, usize)) -> Matrix3<f64> {
-    Matrix3::from_fn(|i, j| factor[(column + i) * rows + 3 * node + j])
+    Matrix3::from_fn(|i, j| factor[(column + i) * rows + j * rows / 3 + node])
 }

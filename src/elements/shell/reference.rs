@@ -30,7 +30,12 @@ impl Shell {
         let sample = |(at, direction)| {
             let line = self.grid.station(at, direction);
             let reference = line.motion(&relative)?.e.to_twist();
-            Ok(Sample { line, reference })
+            let (values, slopes) = line.shapes.iter().copied().unzip();
+            Ok(Sample {
+                shapes: [values, slopes],
+                line,
+                reference,
+            })
         };
         self.samples = samples.map(sample).collect::<Result<_>>()?;
         Ok(())

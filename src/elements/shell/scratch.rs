@@ -10,10 +10,12 @@ use nalgebra::Vector6;
 pub(in crate::elements) struct Scratch {
     /// Motions of the element's frames relative to the first.
     pub(super) relative: Vec<DualMatrix>,
+    /// The same entry by entry, primal and then dual: a row of the nodes for each.
+    pub(super) relative_rows: Vec<f64>,
     /// Velocities of the element's frames.
     pub(super) twists: Vec<DualVector>,
     pub(super) motions: Vec<StationMotion>,
-    /// Of the nodes, sample by sample.
+    /// Of the nodes, at one sample.
     pub(super) places: Vec<NodePlace>,
     /// Of the nodes, at one sample.
     pub(super) terms: Vec<NodeTerms>,
@@ -24,7 +26,8 @@ pub(in crate::elements) struct Scratch {
     /// Of the Gauss points, two each: strains, and their rates.
     pub(super) at_points: [Vec<Vector6<f64>>; 2],
     pub(super) resultants: Vec<Vector6<f64>>,
-    pub(super) forces: Vec<DualVector>,
+    /// On the frames, component by component: a row of the nodes for each.
+    pub(super) forces: Vec<f64>,
     pub(super) products: Products,
 }
 

@@ -7,13 +7,12 @@
 use super::products::{Products, read};
 use super::scratch::{Damping, Scratch};
 use super::{Matrix12, Shell};
-use crate::elements::line_station::second_variations;
 use crate::elements::{Contribution, StrainTangent};
-use crate::motion::{DualMatrix, DualVector};
+use crate::motion::DualMatrix;
 
 impl Shell {
     /// Adds all tangents, for strains that were found, with the geometric stiffness of the
-    /// integrated resultants at the samples.
+    /// integrated resultants at the samples, whose forces were found, too.
     pub(super) fn add_tangents(
         &self,
         damping: Damping,
@@ -24,18 +23,12 @@ impl Shell {
         let rows = 3 * count;
         let mut products = std::mem::take(&mut scratch.products);
         products.clear(rows, samples, self.points.len());
-        for sample in 0..samples {
-            self.find_terms(sample, damping, scratch);
-            let places = &scratch.places[sample * count..][..count];
-            let stress = DualVector::from_wrench(&scratch.at_samples[0][sample]);
-            let nodes = places.iter().zip(&scratch.terms);
-            let second = second_variations(&scratch.motions[sample], &stress, nodes);
-            products.write_sample(
-                (sample, samples),
-                &scratch.terms,
-                second,
-                damping.rates_vary,
-            );
+        self.write_factors(scratch, &mut products);
+        if damping.rates_vary {
+            for sample in 0..samples {
+                self.find_terms(sample, damping, scratch);
+                products.write_rates(sample, &scratch.terms);
+            }
         }
         let is_symmetric = |law: &Matrix12| *law == law.transpose();
         let symmetric = !damping.rates_vary && is_symmetric(&self.section.stiffness);
@@ -52,11 +45,12 @@ impl Shell {
                 self.write_stresses(law, &mut products, false);
                 products.add_material(rows, symmetric, true);
                 let sums = &products.damping;
-                sums.add_to(&self.dual_frames, symmetric, &mut out.damping);
+                sums.add_to(&self.dual_frames, symmetric, &[], &mut out.damping);
             }
         }
         let sums = &products.stiffness;
-        sums.add_to(&self.dual_frames, symmetric, &mut out.stiffness);
+        let forces = &scratch.forces;
+        sums.add_to(&self.dual_frames, symmetric, forces, &mut out.stiffness);
         scratch.products = products;
     }
 
@@ -86,40 +80,12 @@ impl Shell {
     }
 
     /// Writes `B̂ᵀ` at the Gauss points by what samples vary by, and the same of the rates if these
-    /// vary: whole columns at once.
+    /// vary.
     fn write_strains(&self, damping: Damping, products: &mut Products) {
-        let rows = 3 * self.nodes.len();
         let which = if damping.rates_vary { 2 } else { 1 };
-        let mut of_point = std::mem::take(&mut products.of_point);
-        of_point.resize(2 * 3 * rows, 0.0);
         for (samples, points) in products.of_samples_and_points().into_iter().take(which) {
             for (from, to) in samples.into_iter().zip(points) {
-                let to = to.chunks_exact_mut(6 * rows).enumerate();
-                for (index, to) in to.take(self.points.len()) {
-                    of_point.fill(0.0);
-                    let directions = of_point.chunks_exact_mut(3 * rows).enumerate();
-                    for (direction, sum) in directions {
-                        for (t, weight) in self.sampling.of_point(direction, index) {
-                            add_multiple(sum, weight, &from[3 * rows * t..][..3 * rows]);
-                        }
-                    }
-                    self.write_along_axes(index, &of_point, to);
-                }
-            }
-        }
-        products.of_point = of_point;
-    }
-
-    /// Writes `Σ_i ∂ξ_i/∂s_α B_iᵀ T`, for what the velocities in ξ and η vary by at a point.
-    fn write_along_axes(&self, index: usize, by: &[f64], to: &mut [f64]) {
-        let rows = 3 * self.nodes.len();
-        let point = &self.points[index];
-        for (column, to) in to.chunks_exact_mut(rows).enumerate() {
-            let (axis, k) = (column / 3, column % 3);
-            let slopes = &point.axes.slopes[axis];
-            to.fill(0.0);
-            for (m, from) in by.chunks_exact(rows).enumerate() {
-                add_multiple(to, slopes[m / 3] * point.axes.turn[(m % 3, k)], from);
+                self.interpolate_factor(from, to);
             }
         }
     }
