@@ -11,8 +11,8 @@ pub fn product<T: Scalar, const ROWS: usize, const INNER: usize, const COLUMNS: 
     b: &SMatrix<T, INNER, COLUMNS>,
 ) -> SMatrix<T, ROWS, COLUMNS> {
     let mut c = [[a.data.0[0][0]; ROWS]; COLUMNS];
-    for j in 0..COLUMNS {
-        c[j] = combination(&a.data.0, &b.data.0[j]);
+    for (c, b) in c.iter_mut().zip(&b.data.0) {
+        *c = combination(&a.data.0, b);
     }
     SMatrix::from_array_storage(ArrayStorage(c))
 }
@@ -53,13 +53,14 @@ pub fn outer_product<T: Scalar>(a: &Vector3<T>, b: &Vector3<T>) -> Matrix3<T> {
 pub fn transpose<T: Copy, const ROWS: usize, const COLUMNS: usize>(
     a: &SMatrix<T, ROWS, COLUMNS>,
 ) -> SMatrix<T, COLUMNS, ROWS> {
-    let mut transposed = [[a.data.0[0][0]; COLUMNS]; ROWS];
+    let begun = [[a.data.0[0][0]; COLUMNS]; ROWS];
+    let mut transposed = SMatrix::from_array_storage(ArrayStorage(begun));
     for j in 0..COLUMNS {
         for i in 0..ROWS {
-            transposed[i][j] = a.data.0[j][i];
+            transposed.data.0[i][j] = a.data.0[j][i];
         }
     }
-    SMatrix::from_array_storage(ArrayStorage(transposed))
+    transposed
 }
 
 /// Entry by entry.

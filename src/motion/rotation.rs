@@ -27,13 +27,14 @@ pub fn cross<T: Scalar>([ax, ay, az]: [T; 3], [bx, by, bz]: [T; 3]) -> [T; 3] {
 #[inline(always)]
 pub fn times_skew<T: Scalar>(a: &Matrix3<T>, b: &Vector3<T>) -> Matrix3<T> {
     let ([x, y, z], [[bx, by, bz]]) = (a.data.0, b.data.0);
-    let mut columns = a.data.0;
+    let mut product = *a;
     for i in 0..3 {
-        columns[0][i] = (y[i] * bz).minus_product(z[i], by);
-        columns[1][i] = (z[i] * bx).minus_product(x[i], bz);
-        columns[2][i] = (x[i] * by).minus_product(y[i], bx);
+        let [p, q, r] = &mut product.data.0;
+        p[i] = (y[i] * bz).minus_product(z[i], by);
+        q[i] = (z[i] * bx).minus_product(x[i], bz);
+        r[i] = (x[i] * by).minus_product(y[i], bx);
     }
-    Matrix3::from_array_storage(ArrayStorage(columns))
+    product
 }
 
 /// `ã B`.

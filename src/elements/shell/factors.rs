@@ -211,8 +211,8 @@ impl WithSimd for Interpolation<'_> {
                 for (axis, [by_xi, by_eta]) in axes.slopes.into_iter().enumerate() {
                     let [by_xi, by_eta] = [Lanes::splat(simd, by_xi), Lanes::splat(simd, by_eta)];
                     let mut along = xi;
-                    for m in 0..3 {
-                        along[m] = (xi[m] * by_xi).plus_product(eta[m], by_eta);
+                    for (along, (xi, eta)) in along.iter_mut().zip(xi.into_iter().zip(eta)) {
+                        *along = (xi * by_xi).plus_product(eta, by_eta);
                     }
                     for k in 0..3 {
                         let mut sum = zero;
