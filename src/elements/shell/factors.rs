@@ -216,9 +216,9 @@ impl WithSimd for Interpolation<'_> {
                     }
                     for k in 0..3 {
                         let mut sum = zero;
-                        for m in 0..3 {
+                        for (m, along) in along.iter().enumerate() {
                             let turn = Lanes::splat(simd, axes.turn[(m, k)]);
-                            sum = sum.plus_product(turn, along[m]);
+                            sum = sum.plus_product(turn, *along);
                         }
                         let to = &mut to[(3 * axis + k) * rows..][..rows];
                         sum.store(&mut to[first..]);
