@@ -7,14 +7,10 @@
 
 mod common;
 
+use common::elements::{bent_beam, bent_shell, evaluate};
 use common::table::Table;
 use common::timing::{median, processor_time};
-use nalgebra::{Matrix6, Vector3, Vector6};
-use periodyn::elements::{
-    Beam, Contribution, Element, InertialForces, Instant, IsotropicShell, NodeState, Section,
-    Shell, lobatto_points,
-};
-use periodyn::motion::Motion;
+use periodyn::elements::Contribution;
 use std::hint::black_box;
 use std::time::Duration;
 
@@ -23,61 +19,6 @@ const REPETITIONS: usize = 400;
 /// Evaluations of a beam that are timed together.
 const BEAMS: u32 = 20;
 
-type Bent = (Box<dyn Element>, Vec<NodeState>);
-
-fn shell(side: usize) -> Bent {
-    let points = lobatto_points(side);
-    let place = |i: usize| {
-        let (x, y) = (points[i / side], points[i % side]);
-        Motion::identity().increment(&Vector6::new(x, y, 0.0, 0.0, 0.0, 0.0))
-    };
-    let reference: Vec<Motion> = (0..side * side).map(place).collect();
-    let bend = |m: &Motion| {
-        let turn = 0.1 * m.position.x;
-        NodeState::at_rest(m.increment(&Vector6::new(0.0, 0.0, 0.01, 0.0, -turn, 0.0)))
-    };
-    let states = reference.iter().map(bend).collect();
-    let frames = vec![Motion::identity(); side * side];
-    let section = IsotropicShell::new(0.1, 1e6, 0.3, 1.0).section().unwrap();
-    let nodes = (0..side * side).collect();
-    let shell = Shell::new((nodes, [side; 2]), (reference, frames), section, None);
-    (Box::new(shell.unwrap()), states)
-}
-
-fn beam(count: usize) -> Bent {
-    let place = |a: usize| {
-        let s = a as f64 / (count - 1) as f64;
-        Motion::identity().increment(&Vector6::new(s, 0.0, 0.0, 0.0, 0.0, 0.1 * s * s))
-    };
-    let section = Section {
-        stiffness: Matrix6::identity() * 1e5,
-        mass: Matrix6::identity(),
-        damping: Matrix6::zeros(),
-    };
-    let reference: Vec<Motion> = (0..count).map(place).collect();
-    let bend = Vector6::new(0.0, 0.01, 0.0, 0.0, 0.0, 0.05);
-    let state = |m: &Motion| NodeState::at_rest(m.increment(&bend));
-    let states = reference.iter().map(state).collect();
-    let beam = Beam::new((0..count).collect(), reference, section).unwrap();
-    (Box::new(beam), states)
-}
-
-fn evaluate((element, states): &Bent, out: &mut Contribution) {
-    out.clear();
-    let instant = Instant {
-        nodes: black_box(states),
-        multipliers: &[],
-        multiplier_rates: &[],
-        resultants: &[],
-        signals: &[],
-        coordinates: &[],
-        gravity: Vector3::zeros(),
-        inertial: InertialForces::FULL,
-        time: 0.0,
-    };
-    element.evaluate(&instant, out).unwrap();
-}
-
 /// Columns and number of the products for the geometric stiffness, and for the material one.
 fn products(side: usize) -> [(usize, usize); 2] {
     [(24 * side * (side - 1), 3), (6 * side * side, 6)]
@@ -85,7 +26,7 @@ fn products(side: usize) -> [(usize, usize); 2] {
 
 /// Times of tangents and of products alone, by turns.
 fn times_of_shell(side: usize) -> [Vec<Duration>; 2] {
-    let (shell, rows) = (shell(side), 3 * side * side);
+    let (shell, rows) = (bent_shell(side), 3 * side * side);
     let mut out = Contribution::new(side * side, 0, true);
     let mut sum = faer::Mat::<f64>::zeros(rows, rows);
     let factors = products(side).map(|(columns, times)| {
@@ -116,7 +57,7 @@ fn main() {
         "products, µs",
         "products' rate, Gflop/s",
     ];
-    let mut shells = Table::new("shell elements", &titles);
+    let mut shells = Table::new("shell_elements", &titles);
     for side in 2..=6 {
         let [tangents, alone] = times_of_shell(side).map(|times| median(times.into_iter()));
         let rows = 3 * side * side;
@@ -130,9 +71,9 @@ fn main() {
             format!("{:.1}", 1e-9 * rate)
         ]);
     }
-    let mut beams = Table::new("beam elements", &["nodes", "tangents, µs"]);
+    let mut beams = Table::new("beam_elements", &["nodes", "tangents, µs"]);
     for count in [2, 3, 5, 7] {
-        let (beam, mut out) = (beam(count), Contribution::new(count, 0, true));
+        let (beam, mut out) = (bent_beam(count), Contribution::new(count, 0, true));
         let times = (0..REPETITIONS).map(|_| {
             let all = || (0..BEAMS).for_each(|_| evaluate(&beam, &mut out));
             processor_time(all).0 / BEAMS

@@ -1,13 +1,14 @@
 //! However linear equations are solved, and by however many threads, the solution is the same: with
 //! the same number of threads, bit by bit.
 
-mod models;
+mod common;
 
-use models::beams::{forced_cantilever, planar_four_bar, rotor, rotor_blade, slider_crank};
-use models::four_bar::{FOUR_BAR_PERIOD, spatial_four_bar};
+use common::converged;
+use common::models::beams::{forced_cantilever, planar_four_bar, rotor, rotor_blade, slider_crank};
+use common::models::four_bar::{FOUR_BAR_PERIOD, spatial_four_bar};
 use periodyn::model::Model;
 use periodyn::output::Solution;
-use periodyn::solve::{LinearMethod, Outcome, PeriodicOptions, Preconditioner};
+use periodyn::solve::{LinearMethod, PeriodicOptions, Preconditioner};
 
 /// Of motions relative to the size of the mechanism, and of joint forces relative to the largest.
 const TOLERANCE: f64 = 1e-12;
@@ -27,13 +28,7 @@ fn solve(
     };
     options.newton.tolerance = 1e-12;
     let solution = Solution::solve(model, *period, &options, &mut |_, _| true).unwrap();
-    assert_eq!(
-        solution.outcome(),
-        Outcome::Converged,
-        "{}",
-        solution.report()
-    );
-    solution
+    converged(solution)
 }
 
 /// Largest difference of motions, and of multipliers.

@@ -2,6 +2,7 @@
 
 mod common;
 
+use common::converged;
 use common::models::sharp::{Sharp, end_stop};
 use periodyn::model::Model;
 use periodyn::output::{NodeQuantity, Solution};
@@ -18,13 +19,7 @@ fn on(sharp: &Sharp, points: usize, mapped: bool) -> Solution {
         ..PeriodicOptions::with_grid_points(points)
     };
     let solution = Solution::solve(&sharp.model, sharp.period, &options, &mut |_, _| true).unwrap();
-    assert_eq!(
-        solution.outcome(),
-        Outcome::Converged,
-        "{}",
-        solution.report()
-    );
-    solution
+    converged(solution)
 }
 
 /// Positions of all nodes at many times, in lengths of the model.

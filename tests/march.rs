@@ -17,13 +17,7 @@ use std::f64::consts::TAU;
 
 fn march(model: &Model, options: &MarchOptions) -> Solution {
     let solution = Solution::march(model, options, &mut |_, _| true).unwrap();
-    assert_eq!(
-        solution.outcome(),
-        Outcome::Converged,
-        "{}",
-        solution.report()
-    );
-    solution
+    converged(solution)
 }
 
 fn for_time(duration: f64, steps: usize) -> MarchOptions {

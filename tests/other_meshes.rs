@@ -1,5 +1,8 @@
 //! A solution on one mesh of the beams is a start on another.
 
+mod common;
+
+use common::converged;
 use nalgebra::{Matrix3, Matrix6, Vector3};
 use periodyn::elements::{Coordinate, JointKind, MaxwellBranch};
 use periodyn::error::{ErrorKind, Result};
@@ -7,9 +10,7 @@ use periodyn::fourier::TimeGrid;
 use periodyn::model::*;
 use periodyn::motion::{Motion, rotation_from_vector};
 use periodyn::output::{JointQuantity, Solution};
-use periodyn::solve::{
-    Adaptation, GridPoints, InitialGuess, Outcome, PeriodicOptions, StaticOptions,
-};
+use periodyn::solve::{Adaptation, GridPoints, InitialGuess, PeriodicOptions, StaticOptions};
 use std::f64::consts::TAU;
 
 const SPEED: f64 = 6.0;
@@ -97,13 +98,7 @@ fn solve(model: &Model, guess: InitialGuess, points: GridPoints) -> Solution {
         ..PeriodicOptions::default()
     };
     let solution = Solution::solve(model, PERIOD, &options, &mut |_, _| true).unwrap();
-    assert_eq!(
-        solution.outcome(),
-        Outcome::Converged,
-        "{}",
-        solution.report()
-    );
-    solution
+    converged(solution)
 }
 
 #[test]

@@ -36,6 +36,17 @@ pub fn options(grid_points: usize) -> PeriodicOptions {
     }
 }
 
+/// A solution, which must have converged.
+pub fn converged(solution: Solution) -> Solution {
+    assert_eq!(
+        solution.outcome(),
+        Outcome::Converged,
+        "{}",
+        solution.report()
+    );
+    solution
+}
+
 /// A solve that must converge.
 pub fn solve(model: &Model, period: f64, grid_points: usize) -> Solution {
     let solution = try_solve(model, period, grid_points).unwrap();
@@ -48,13 +59,7 @@ pub fn solve(model: &Model, period: f64, grid_points: usize) -> Solution {
 pub fn statics(model: &Model) -> Solution {
     let solution = Solution::solve_static(model, &StaticOptions::default(), &mut |_, _| true);
     let solution = solution.unwrap();
-    assert_eq!(
-        solution.outcome(),
-        Outcome::Converged,
-        "{}",
-        solution.report()
-    );
-    solution
+    converged(solution)
 }
 
 /// A solve from the default guess.
