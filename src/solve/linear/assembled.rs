@@ -14,6 +14,9 @@ use crate::workers::Workers;
 use faer::MatMut;
 use std::cell::OnceCell;
 
+/// Accuracy of solutions that precondition an iteration: better ones spare it little.
+const PRECONDITIONS: f64 = 1e-2;
+
 /// The Jacobian's values, and their factors.
 pub(crate) struct Assembled {
     /// Of the values, found at first use.
@@ -215,6 +218,14 @@ impl LinearSolver for Assembled {
         })
     }
 
+    fn preconditions_at(&self, accuracy: f64) -> f64 {
+        match self.slender {
+            // Found by iteration.
+            Some(_) => accuracy,
+            None => accuracy.max(PRECONDITIONS),
+        }
+    }
+
     fn error_of(&self, accuracy: f64) -> f64 {
         match (&self.solver, self.by_freedoms) {
             (Some(solver), false) => solver.error().min(accuracy),
@@ -242,6 +253,10 @@ impl LinearSolver for Assembled {
     }
 
     fn has_compliance(&self) -> bool {
+        !self.by_freedoms
+    }
+
+    fn may_hold(&self) -> bool {
         !self.by_freedoms
     }
 

@@ -403,6 +403,10 @@ impl LinearSolver for Linear {
         factors.solve(equations, rhs, accuracy, timings)
     }
 
+    fn preconditions_at(&self, accuracy: f64) -> f64 {
+        self.active.solver().preconditions_at(accuracy)
+    }
+
     fn tangent(&mut self) -> Option<&mut Tangent> {
         self.active.solver_mut().tangent()
     }
@@ -461,6 +465,10 @@ impl LinearSolver for Linear {
 
     fn has_compliance(&self) -> bool {
         self.active.solver().has_compliance()
+    }
+
+    fn may_hold(&self) -> bool {
+        self.active.solver().may_hold()
     }
 
     fn set_holds(&mut self, holds: bool) {

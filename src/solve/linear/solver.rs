@@ -62,6 +62,12 @@ pub(crate) trait LinearSolver {
         accuracy
     }
 
+    /// Accuracy to which solutions precondition an iteration with exact products that would else
+    /// take this one: as rough as spares it nothing, or little, if all of them are found alike.
+    fn preconditions_at(&self, accuracy: f64) -> f64 {
+        accuracy
+    }
+
     /// As [`LinearSolver::solve`], the transposed equations; factors do as far as they can. `false`
     /// also if there is no way to.
     ///
@@ -102,6 +108,11 @@ pub(crate) trait LinearSolver {
     /// the last linearisation.
     fn has_compliance(&self) -> bool {
         true
+    }
+
+    /// Whether factors of what is held in place of the last equations take no more than theirs did.
+    fn may_hold(&self) -> bool {
+        false
     }
 
     /// Whether factors may from now on be those of equations to which something is added, which

@@ -67,11 +67,12 @@ pub(crate) fn solve_around<L: LinearSolver, O: Outer<L>>(
 ) -> Result<(bool, GmresEnd)> {
     let workers = equations.workers().clone();
     let (began, before) = (Instant::now(), timings.sum());
+    let accuracy = inner.preconditions_at((SHARPER * options.tolerance).max(SHARPEST));
     let mut operator = Operator {
         equations,
         inner,
         outer,
-        accuracy: (SHARPER * options.tolerance).max(SHARPEST),
+        accuracy,
         timings,
         end: Ok(true),
     };
