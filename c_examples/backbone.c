@@ -122,11 +122,7 @@ int main(int argc, char **argv)
     if (!model) {
         goto done;
     }
-    pdn_quantity moves;
-    PDN_INIT(pdn_quantity, &moves);
-    moves.kind = PDN_QUANTITY_POSITION;
-    moves.object = node;
-    moves.component = 1;
+    const pdn_quantity moves = pdn_quantity_of(PDN_NODE_POSITION, node, 1);
 
     /* The linear mode, as large as is wanted. */
     double shape[6], start;

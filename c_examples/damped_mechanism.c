@@ -71,8 +71,10 @@ static double *sample(const mechanism *m, const pdn_solution *solution, double e
     for (size_t i = 0; i < count; ++i) {
         t[i] = end * (double)i / (double)(count - 1);
     }
-    TRY(pdn_solution_joint_coordinate(solution, m->hinge, PDN_ROTATION, t, count, theta));
-    TRY(pdn_solution_node_position(solution, m->end, t, count, B[0]));
+    TRY(pdn_solution_sample(solution, PDN_QUANTITY(PDN_JOINT_COORDINATE, m->hinge, PDN_ROTATION), t,
+                            count, theta));
+    TRY(pdn_solution_sample(solution, PDN_QUANTITY(PDN_NODE_POSITION, m->end, PDN_ALL_COMPONENTS),
+                            t, count, B[0]));
     if (file) {
         fputs("t,theta2,u2_B\n", file);
         for (size_t i = 0; i < count; ++i) {
@@ -196,8 +198,10 @@ static int march(double tau_over_T, double step, size_t turns, FILE *file)
      */
     const double t[2] = {(double)(turns / 2) * period, options.duration};
     double angle[2], rate[2], amplitude[2];
-    TRY(pdn_solution_joint_coordinate(solution, m.hinge, PDN_ROTATION, t, 2, angle));
-    TRY(pdn_solution_joint_rate(solution, m.hinge, PDN_ROTATION, t, 2, rate));
+    TRY(pdn_solution_sample(solution, PDN_QUANTITY(PDN_JOINT_COORDINATE, m.hinge, PDN_ROTATION), t,
+                            2, angle));
+    TRY(pdn_solution_sample(solution, PDN_QUANTITY(PDN_JOINT_RATE, m.hinge, PDN_ROTATION), t, 2,
+                            rate));
     for (int i = 0; i < 2; ++i) {
         amplitude[i] = hypot(angle[i], (rate[i] + decay * angle[i]) / frequency);
     }

@@ -194,14 +194,19 @@ static int sample(const engine *e, const pdn_solution *solution, double period, 
     for (int i = 0; i < TIMES; ++i) {
         out->t[i] = period * i / (TIMES - 1);
     }
-    TRY(pdn_solution_joint_driving_effort(solution, e->drive, PDN_ROTATION, out->t, TIMES,
-                                          out->torque));
-    TRY(pdn_solution_joint_coordinate(solution, e->gauge, PDN_ROTATION, out->t, TIMES, out->twist));
-    TRY(pdn_solution_node_acceleration(solution, e->pistons[0], PDN_FRAME_SPACE, out->t, TIMES,
-                                       out->piston[0]));
+    TRY(pdn_solution_sample(solution,
+                            PDN_QUANTITY(PDN_JOINT_DRIVING_EFFORT, e->drive, PDN_ROTATION), out->t,
+                            TIMES, out->torque));
+    TRY(pdn_solution_sample(solution, PDN_QUANTITY(PDN_JOINT_COORDINATE, e->gauge, PDN_ROTATION),
+                            out->t, TIMES, out->twist));
+    TRY(pdn_solution_sample(solution,
+                            PDN_QUANTITY(PDN_NODE_ACCELERATION, e->pistons[0], PDN_ALL_COMPONENTS),
+                            out->t, TIMES, out->piston[0]));
     for (int k = 0; k < 2; ++k) {
-        TRY(pdn_solution_force_effort(solution, e->bearings[BEARINGS / 2][k], out->t, TIMES,
-                                      side[k]));
+        TRY(pdn_solution_sample(
+            solution,
+            PDN_QUANTITY(PDN_FORCE_EFFORT, e->bearings[BEARINGS / 2][k], PDN_ALL_COMPONENTS),
+            out->t, TIMES, side[k]));
     }
     for (int i = 0; i < TIMES; ++i) {
         out->torque[i] = -out->torque[i]; /* that of the engine on what holds its speed */
@@ -221,8 +226,9 @@ static int print_line(const engine *e, const pdn_solution *solution, int rpm, co
     pdn_diagnostics figures;
     PDN_INIT(pdn_diagnostics, &figures);
     TRY(pdn_solution_diagnostics(solution, &figures));
-    TRY(pdn_solution_joint_harmonics(solution, e->drive, PDN_JOINT_DRIVING_EFFORT, PDN_ROTATION,
-                                     FIRING, &mean, NULL, cosines, sines));
+    TRY(pdn_solution_harmonics(solution,
+                               PDN_QUANTITY(PDN_JOINT_DRIVING_EFFORT, e->drive, PDN_ROTATION),
+                               FIRING, &mean, NULL, cosines, sines));
     for (int i = 0; i < TIMES; ++i) {
         twist = fmax(twist, fabs(r->twist[i]));
         force = fmax(force, r->force[i]);

@@ -92,8 +92,10 @@ static inline int largest_distance(const pdn_solution *a, const pdn_solution *b,
     for (int i = 0; i < 100; ++i) {
         t[i] = period * i / 99;
     }
-    TRY(pdn_solution_node_position(a, node, t, 100, x[0]));
-    TRY(pdn_solution_node_position(b, node, t, 100, y[0]));
+    TRY(pdn_solution_sample(a, PDN_QUANTITY(PDN_NODE_POSITION, node, PDN_ALL_COMPONENTS), t, 100,
+                            x[0]));
+    TRY(pdn_solution_sample(b, PDN_QUANTITY(PDN_NODE_POSITION, node, PDN_ALL_COMPONENTS), t, 100,
+                            y[0]));
     for (int i = 0; i < 100; ++i) {
         const double d[3] = {x[i][0] - y[i][0], x[i][1] - y[i][1], x[i][2] - y[i][2]};
         *out = fmax(*out, sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]));

@@ -71,8 +71,8 @@ int main(int argc, char **argv)
 
     TRY(pdn_model_shell_patch_node(model, &plate, plate.nodes_u - 1, plate.nodes_v / 2, &tip));
     double mean[3], cosines[HARMONICS][3], sines[HARMONICS][3];
-    TRY(pdn_solution_node_harmonics(solution, tip, PDN_NODE_POSITION, HARMONICS, mean, cosines[0],
-                                    sines[0]));
+    TRY(pdn_solution_harmonics(solution, PDN_QUANTITY(PDN_NODE_POSITION, tip, PDN_ALL_COMPONENTS),
+                               HARMONICS, mean, NULL, cosines[0], sines[0]));
     printf("\nMiddle of the free edge, amplitudes in mm\n"
            "harmonic      along    upwards\n"
            "       0 %10.3f %10.3f\n",
@@ -86,7 +86,8 @@ int main(int argc, char **argv)
     for (int i = 0; i < TIMES; ++i) {
         t[i] = period * i / (TIMES - 1);
     }
-    TRY(pdn_solution_node_position(solution, tip, t, TIMES, position[0]));
+    TRY(pdn_solution_sample(solution, PDN_QUANTITY(PDN_NODE_POSITION, tip, PDN_ALL_COMPONENTS), t,
+                            TIMES, position[0]));
     if (file) {
         fputs("time [s],tip along [m],tip across [m],tip upwards [m]\n", file);
         for (int i = 0; i < TIMES; ++i) {

@@ -63,8 +63,9 @@ int main(int argc, char **argv)
     }
 
     double mean[3], cosines[HARMONICS][3], sines[HARMONICS][3];
-    TRY(pdn_solution_node_harmonics(solution, rod.last, PDN_NODE_POSITION, HARMONICS, mean,
-                                    cosines[0], sines[0]));
+    TRY(pdn_solution_harmonics(solution,
+                               PDN_QUANTITY(PDN_NODE_POSITION, rod.last, PDN_ALL_COMPONENTS),
+                               HARMONICS, mean, NULL, cosines[0], sines[0]));
     printf("\nTip displacement, amplitudes in mm\n"
            "harmonic      along    upwards\n"
            "       0 %10.3f %10.3f\n",
@@ -78,8 +79,10 @@ int main(int argc, char **argv)
     for (int i = 0; i < TIMES; ++i) {
         t[i] = period * i / (TIMES - 1);
     }
-    TRY(pdn_solution_node_position(solution, rod.last, t, TIMES, position[0]));
-    TRY(pdn_solution_joint_reaction(solution, clamp, PDN_FRAME_SPACE, t, TIMES, reaction[0]));
+    TRY(pdn_solution_sample(solution, PDN_QUANTITY(PDN_NODE_POSITION, rod.last, PDN_ALL_COMPONENTS),
+                            t, TIMES, position[0]));
+    TRY(pdn_solution_sample(solution, PDN_QUANTITY(PDN_JOINT_REACTION, clamp, PDN_ALL_COMPONENTS),
+                            t, TIMES, reaction[0]));
     if (file) {
         fputs("time [s],tip along [m],tip upwards [m],root bending moment [N m]\n", file);
         for (int i = 0; i < TIMES; ++i) {

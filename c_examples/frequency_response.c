@@ -77,12 +77,7 @@ int main(int argc, char **argv)
         }
     }
     if (out) {
-        pdn_quantity position;
-        PDN_INIT(pdn_quantity, &position);
-        position.kind = PDN_QUANTITY_POSITION;
-        position.object = middle;
-        position.component = 1;
-        TRY(pdn_branch_write_csv(branch, &position, 1, out));
+        TRY(pdn_branch_write_csv(branch, PDN_QUANTITY(PDN_NODE_POSITION, middle, 1), 1, out));
     }
     failed = pdn_branch_end(branch) != PDN_BRANCH_RANGE;
 done:

@@ -176,8 +176,8 @@ static int print_harmonics(const rotor *r, const pdn_solution *solution, double 
            figures.error_estimate);
     for (int32_t angle = PDN_ROTATION; angle <= PDN_ROTATION_2; ++angle) {
         double mean, c[HARMONICS], s[HARMONICS];
-        TRY(pdn_solution_joint_harmonics(solution, r->hinge, PDN_JOINT_COORDINATE, angle, HARMONICS,
-                                         &mean, NULL, c, s));
+        TRY(pdn_solution_harmonics(solution, PDN_QUANTITY(PDN_JOINT_COORDINATE, r->hinge, angle),
+                                   HARMONICS, &mean, NULL, c, s));
         printf("  %8.3f", mean * 180 / PI);
         for (int h = 0; h < HARMONICS; ++h) {
             printf(" %7.3f", hypot(c[h], s[h]) * 180 / PI);
@@ -195,10 +195,15 @@ static int write_csv(const rotor *r, const pdn_solution *solution, FILE *file)
     for (int i = 0; i < TIMES; ++i) {
         t[i] = 2 * PI / OMEGA * i / (TIMES - 1);
     }
-    TRY(pdn_solution_joint_coordinate(solution, r->hinge, PDN_ROTATION, t, TIMES, flap));
-    TRY(pdn_solution_joint_coordinate(solution, r->hinge, PDN_ROTATION_2, t, TIMES, lag));
-    TRY(pdn_solution_force_effort(solution, r->damper, t, TIMES, effort));
-    TRY(pdn_solution_node_position(solution, r->blade.last, t, TIMES, tip[0]));
+    TRY(pdn_solution_sample(solution, PDN_QUANTITY(PDN_JOINT_COORDINATE, r->hinge, PDN_ROTATION), t,
+                            TIMES, flap));
+    TRY(pdn_solution_sample(solution, PDN_QUANTITY(PDN_JOINT_COORDINATE, r->hinge, PDN_ROTATION_2),
+                            t, TIMES, lag));
+    TRY(pdn_solution_sample(solution, PDN_QUANTITY(PDN_FORCE_EFFORT, r->damper, PDN_ALL_COMPONENTS),
+                            t, TIMES, effort));
+    TRY(pdn_solution_sample(solution,
+                            PDN_QUANTITY(PDN_NODE_POSITION, r->blade.last, PDN_ALL_COMPONENTS), t,
+                            TIMES, tip[0]));
     fputs(
         "azimuth [deg],flap [deg],lag [deg],moment of the lag damper [N m],height of the tip [m]\n",
         file);

@@ -102,8 +102,9 @@ int main(int argc, char **argv)
         PDN_INIT(pdn_branch_point, &point);
         TRY(pdn_branch_get(branch, i, &point));
         TRY(pdn_branch_solution(branch, i, &solution));
-        const pdn_status status = pdn_solution_joint_harmonics(
-            solution, slide, PDN_JOINT_COORDINATE, PDN_DISPLACEMENT, 1, NULL, NULL, cosine, sine);
+        const pdn_status status = pdn_solution_harmonics(
+            solution, PDN_QUANTITY(PDN_JOINT_COORDINATE, slide, PDN_DISPLACEMENT), 1, NULL, NULL,
+            cosine, sine);
         pdn_solution_free(solution);
         TRY(status);
         if (i % 5 == 0 || i == count - 1) {
@@ -112,12 +113,7 @@ int main(int argc, char **argv)
         }
     }
     if (out) {
-        pdn_quantity position;
-        PDN_INIT(pdn_quantity, &position);
-        position.kind = PDN_QUANTITY_POSITION;
-        position.object = pad;
-        position.component = 0;
-        TRY(pdn_branch_write_csv(branch, &position, 1, out));
+        TRY(pdn_branch_write_csv(branch, PDN_QUANTITY(PDN_NODE_POSITION, pad, 0), 1, out));
     }
     failed = pdn_branch_end(branch) == PDN_BRANCH_NO_START;
 done:

@@ -101,13 +101,19 @@ int main(int argc, char **argv)
     for (int i = 0; i < TIMES; ++i) {
         t[i] = start + period * i / (TIMES - 1);
     }
+    TRY(pdn_solution_sample(solution,
+                            PDN_QUANTITY(PDN_NODE_POSITION, coupler.last, PDN_ALL_COMPONENTS), t,
+                            TIMES, position[0]));
+    TRY(pdn_solution_sample(solution,
+                            PDN_QUANTITY(PDN_NODE_ROTATION, coupler.last, PDN_ALL_COMPONENTS), t,
+                            TIMES, axes[0]));
+    TRY(pdn_solution_sample(solution, PDN_QUANTITY(PDN_JOINT_COORDINATE, hinge_D, PDN_ROTATION), t,
+                            TIMES, theta));
     /* The middle of an element, or where two meet. */
     const int32_t middle = crank.first_element + (int32_t)(elements / 2);
-    const double station = elements % 2 == 1 ? 0 : -1;
-    TRY(pdn_solution_node_position(solution, coupler.last, t, TIMES, position[0]));
-    TRY(pdn_solution_node_rotation(solution, coupler.last, t, TIMES, axes[0]));
-    TRY(pdn_solution_joint_coordinate(solution, hinge_D, PDN_ROTATION, t, TIMES, theta));
-    TRY(pdn_solution_beam_force(solution, middle, station, t, TIMES, force[0]));
+    pdn_quantity forces = pdn_quantity_of(PDN_BEAM_FORCE, middle, PDN_ALL_COMPONENTS);
+    forces.station = elements % 2 == 1 ? 0 : -1;
+    TRY(pdn_solution_sample(solution, &forces, t, TIMES, force[0]));
 
     int lowest = 0, highest = 0;
     for (int i = 0; i < TIMES; ++i) {

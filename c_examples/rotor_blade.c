@@ -102,9 +102,13 @@ int main(int argc, char **argv)
     for (int i = 0; i < TIMES; ++i) {
         t[i] = period * i / (TIMES - 1);
     }
-    TRY(pdn_solution_joint_coordinate(solution, gauge, PDN_DISPLACEMENT, t, TIMES, flap));
-    TRY(pdn_solution_joint_coordinate(solution, gauge, PDN_DISPLACEMENT_2, t, TIMES, lag));
-    TRY(pdn_solution_joint_reaction(solution, clamp, PDN_FRAME_FIRST, t, TIMES, reaction[0]));
+    TRY(pdn_solution_sample(solution, PDN_QUANTITY(PDN_JOINT_COORDINATE, gauge, PDN_DISPLACEMENT),
+                            t, TIMES, flap));
+    TRY(pdn_solution_sample(solution, PDN_QUANTITY(PDN_JOINT_COORDINATE, gauge, PDN_DISPLACEMENT_2),
+                            t, TIMES, lag));
+    pdn_quantity at_root = pdn_quantity_of(PDN_JOINT_REACTION, clamp, PDN_ALL_COMPONENTS);
+    at_root.frame = PDN_FRAME_FIRST;
+    TRY(pdn_solution_sample(solution, &at_root, t, TIMES, reaction[0]));
     for (int i = 0; i < TIMES; ++i) {
         y[i][0] = flap[i];
         y[i][1] = lag[i];

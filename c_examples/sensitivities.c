@@ -13,7 +13,7 @@ static const double PI = 3.14159265358979323846;
 
 enum { DEPENDENTS = 7, PARAMETERS = 6 };
 
-static const char *const NAMES[DEPENDENTS] = {"mean",    "cosine 1", "sine 1",  "cosine 2",
+static const char *const NAMES[DEPENDENTS] = {"mean",   "cosine 1", "sine 1",  "cosine 2",
                                               "sine 2", "largest",  "flapping"};
 
 /* What is asked of a solution: moments at the root, and the flap angle. */
@@ -21,14 +21,14 @@ static int values(const pdn_solution *solution, const pdn_quantity *moment, int3
                   double *out)
 {
     double cosines[2], sines[2], flap;
-    TRY(pdn_solution_quantity_harmonics(solution, moment, 2, &out[0], NULL, cosines, sines));
+    TRY(pdn_solution_harmonics(solution, moment, 2, &out[0], NULL, cosines, sines));
     out[1] = cosines[0];
     out[2] = sines[0];
     out[3] = cosines[1];
     out[4] = sines[1];
-    TRY(pdn_solution_quantity_extremes(solution, moment, NULL, NULL, &out[5], NULL));
-    TRY(pdn_solution_joint_harmonics(solution, hinge, PDN_JOINT_COORDINATE, PDN_ROTATION, 1, NULL,
-                                     NULL, NULL, &flap));
+    TRY(pdn_solution_extremes(solution, moment, NULL, NULL, &out[5], NULL));
+    TRY(pdn_solution_harmonics(solution, PDN_QUANTITY(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION), 1,
+                               NULL, NULL, NULL, &flap));
     out[6] = flap;
     return 0;
 done:
@@ -102,15 +102,8 @@ int main(int argc, char **argv)
     }
 
     /* Flapwise moment in the middle of the first element, and the flap angle. */
-    pdn_quantity moment, flap;
-    PDN_INIT(pdn_quantity, &moment);
-    moment.kind = PDN_QUANTITY_BEAM_FORCE;
-    moment.object = blade.first_element;
-    moment.component = 4;
-    PDN_INIT(pdn_quantity, &flap);
-    flap.kind = PDN_QUANTITY_COORDINATE;
-    flap.object = hinge;
-    flap.component = PDN_ROTATION;
+    const pdn_quantity moment = pdn_quantity_of(PDN_BEAM_FORCE, blade.first_element, 4);
+    const pdn_quantity flap = pdn_quantity_of(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION);
     TRY(pdn_sensitivities_new(&sensitivities));
     TRY(pdn_sensitivities_add_quantity(sensitivities, &moment, PDN_FEATURE_MEAN, 0));
     TRY(pdn_sensitivities_add_quantity(sensitivities, &moment, PDN_FEATURE_COSINE, 1));

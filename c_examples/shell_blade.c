@@ -14,7 +14,7 @@
 enum { DEGREE = 4, MODES = 6, HARMONICS = 3, TIMES = 181 };
 
 static const double PI = 3.14159265358979323846;
-static const double root = 0.2, length = 2, chord = 0.2, thickness = 0.012;   /* m */
+static const double root = 0.2, length = 2, chord = 0.2, thickness = 0.012;  /* m */
 static const double young = 7e10, poisson = 0.3, density = 2700, speed = 30; /* the last: rad/s */
 static const double lift[2] = {60, 40}; /* N/m along the span: mean and once a turn */
 
@@ -153,13 +153,14 @@ int main(int argc, char **argv)
     double frequencies[2][MODES], mean[2][3], cosines[2][HARMONICS][3], sines[2][HARMONICS][3];
     for (int k = 0; k < 2; ++k) {
         puts(k == 0 ? "Shell" : "\nBeam");
-        if (!add_hub(&blades[k]) || !(k == 0 ? build_shell : build_beam)(elements, &along_span,
-                                                                         &blades[k]) ||
+        if (!add_hub(&blades[k]) ||
+            !(k == 0 ? build_shell : build_beam)(elements, &along_span, &blades[k]) ||
             !solve(&blades[k], frequencies[k], &solutions[k])) {
             goto done;
         }
-        TRY(pdn_solution_node_harmonics(solutions[k], blades[k].tip, PDN_NODE_POSITION, HARMONICS,
-                                        mean[k], cosines[k][0], sines[k][0]));
+        TRY(pdn_solution_harmonics(
+            solutions[k], PDN_QUANTITY(PDN_NODE_POSITION, blades[k].tip, PDN_ALL_COMPONENTS),
+            HARMONICS, mean[k], NULL, cosines[k][0], sines[k][0]));
     }
 
     puts("\nFrequencies in Hz at 30 rad/s\n mode      shell       beam  difference");
@@ -179,8 +180,10 @@ int main(int argc, char **argv)
             const double time = 2 * PI / speed * i / (TIMES - 1);
             double positions[2][3];
             for (int k = 0; k < 2; ++k) {
-                TRY(pdn_solution_node_position(solutions[k], blades[k].tip, &time, 1,
-                                               positions[k]));
+                TRY(pdn_solution_sample(
+                    solutions[k],
+                    PDN_QUANTITY(PDN_NODE_POSITION, blades[k].tip, PDN_ALL_COMPONENTS), &time, 1,
+                    positions[k]));
             }
             fprintf(file, "%.17g,%.17g,%.17g,%.17g\n", time, positions[0][2], positions[1][2],
                     positions[0][2] - positions[1][2]);

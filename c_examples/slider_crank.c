@@ -81,17 +81,25 @@ static int solve(int flexible, size_t grid, size_t elements, size_t order, const
         goto done;
     }
 
-    TRY(pdn_solution_joint_acceleration(solution, slide, PDN_DISPLACEMENT, t, TIMES,
-                                        out->acceleration));
-    TRY(pdn_solution_joint_driving_effort(solution, bearing, PDN_ROTATION, t, TIMES, out->torque));
-    TRY(pdn_solution_joint_harmonics(solution, bearing, PDN_JOINT_DRIVING_EFFORT, PDN_ROTATION,
-                                     HARMONICS, &out->mean, NULL, out->cosines, out->sines));
+    TRY(pdn_solution_sample(solution, PDN_QUANTITY(PDN_JOINT_ACCELERATION, slide, PDN_DISPLACEMENT),
+                            t, TIMES, out->acceleration));
+    TRY(pdn_solution_sample(solution, PDN_QUANTITY(PDN_JOINT_DRIVING_EFFORT, bearing, PDN_ROTATION),
+                            t, TIMES, out->torque));
+    TRY(pdn_solution_harmonics(solution,
+                               PDN_QUANTITY(PDN_JOINT_DRIVING_EFFORT, bearing, PDN_ROTATION),
+                               HARMONICS, &out->mean, NULL, out->cosines, out->sines));
     if (flexible) {
         static double a[TIMES][3], b[TIMES][3], m[TIMES][3];
         const int32_t middle_node = (rod.first + rod.last) / 2;
-        TRY(pdn_solution_node_position(solution, rod.first, t, TIMES, a[0]));
-        TRY(pdn_solution_node_position(solution, rod.last, t, TIMES, b[0]));
-        TRY(pdn_solution_node_position(solution, middle_node, t, TIMES, m[0]));
+        TRY(pdn_solution_sample(solution,
+                                PDN_QUANTITY(PDN_NODE_POSITION, rod.first, PDN_ALL_COMPONENTS), t,
+                                TIMES, a[0]));
+        TRY(pdn_solution_sample(solution,
+                                PDN_QUANTITY(PDN_NODE_POSITION, rod.last, PDN_ALL_COMPONENTS), t,
+                                TIMES, b[0]));
+        TRY(pdn_solution_sample(solution,
+                                PDN_QUANTITY(PDN_NODE_POSITION, middle_node, PDN_ALL_COMPONENTS), t,
+                                TIMES, m[0]));
         for (int i = 0; i < TIMES; ++i) {
             const double x = b[i][0] - a[i][0], y = b[i][1] - a[i][1];
             out->deflection[i] = (x * (m[i][1] - a[i][1]) - y * (m[i][0] - a[i][0])) / hypot(x, y);

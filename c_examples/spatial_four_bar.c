@@ -82,9 +82,14 @@ int main(int argc, char **argv)
     for (int i = 0; i < TIMES; ++i) {
         t[i] = period * i / (TIMES - 1);
     }
-    TRY(pdn_solution_node_position(solution, rocker.last, t, TIMES, position[0]));
-    TRY(pdn_solution_node_velocity(solution, rocker.last, PDN_FRAME_SPACE, t, TIMES, velocity[0]));
-    TRY(pdn_solution_joint_driving_effort(solution, motor_D, PDN_ROTATION, t, TIMES, torque));
+    TRY(pdn_solution_sample(solution,
+                            PDN_QUANTITY(PDN_NODE_POSITION, rocker.last, PDN_ALL_COMPONENTS), t,
+                            TIMES, position[0]));
+    TRY(pdn_solution_sample(solution,
+                            PDN_QUANTITY(PDN_NODE_VELOCITY, rocker.last, PDN_ALL_COMPONENTS), t,
+                            TIMES, velocity[0]));
+    TRY(pdn_solution_sample(solution, PDN_QUANTITY(PDN_JOINT_DRIVING_EFFORT, motor_D, PDN_ROTATION),
+                            t, TIMES, torque));
 
     int lowest = 0, highest = 0;
     for (int i = 0; i < TIMES; ++i) {

@@ -13,7 +13,7 @@
 enum { DIAMETERS = 4, MODES = 14, POWER = 6, SPEEDS = 2, DEGREE = 4, MOST = 50 * DEGREE };
 
 static const double PI = 3.14159265358979323846;
-static const double inner = 0.04, outer = 0.2, thickness = 1.5e-3;            /* m */
+static const double inner = 0.04, outer = 0.2, thickness = 1.5e-3;           /* m */
 static const double young = 2.1e11, poisson = 0.3, density = 7850, load = 1; /* the last: N */
 
 /* A disc, its hub, and the nodes around its rim. */
@@ -202,8 +202,9 @@ int main(int argc, char **argv)
         double mean[3], cosines[DIAMETERS][3], sines[DIAMETERS][3], first[DIAMETERS], apart = 0;
         double amplitudes[DIAMETERS];
         for (int32_t k = 0; k < spun[s].count; ++k) {
-            TRY(pdn_solution_node_harmonics(solutions[s], spun[s].rim[k], PDN_NODE_POSITION,
-                                            DIAMETERS, mean, cosines[0], sines[0]));
+            TRY(pdn_solution_harmonics(
+                solutions[s], PDN_QUANTITY(PDN_NODE_POSITION, spun[s].rim[k], PDN_ALL_COMPONENTS),
+                DIAMETERS, mean, NULL, cosines[0], sines[0]));
             for (int n = 0; n < DIAMETERS; ++n) {
                 amplitudes[n] = hypot(cosines[n][2], sines[n][2]);
                 first[n] = k == 0 ? amplitudes[n] : first[n];
@@ -224,7 +225,10 @@ int main(int argc, char **argv)
             for (int s = 0; s < SPEEDS; ++s) {
                 const double time = i / 6.0 / rpm[s];
                 double position[3];
-                TRY(pdn_solution_node_position(solutions[s], spun[s].rim[0], &time, 1, position));
+                TRY(pdn_solution_sample(
+                    solutions[s],
+                    PDN_QUANTITY(PDN_NODE_POSITION, spun[s].rim[0], PDN_ALL_COMPONENTS), &time, 1,
+                    position));
                 fprintf(file, ",%.17g", position[2]);
             }
             fputs("\n", file);

@@ -115,13 +115,16 @@ static int solve(absorber *law, size_t grid, const double t[TIMES], double perio
         goto done;
     }
 
-    TRY(pdn_solution_joint_coordinate(solution, heave, PDN_DISPLACEMENT, t, TIMES, out->height));
-    TRY(pdn_solution_joint_acceleration(solution, heave, PDN_DISPLACEMENT, t, TIMES,
-                                        out->acceleration));
-    TRY(pdn_solution_force_on_node(solution, damper, chassis, PDN_FRAME_SPACE, t, TIMES,
-                                   out->force[0]));
-    TRY(pdn_solution_joint_harmonics(solution, heave, PDN_JOINT_COORDINATE, PDN_DISPLACEMENT,
-                                     HARMONICS, &out->mean, NULL, out->cosines, out->sines));
+    TRY(pdn_solution_sample(solution, PDN_QUANTITY(PDN_JOINT_COORDINATE, heave, PDN_DISPLACEMENT),
+                            t, TIMES, out->height));
+    TRY(pdn_solution_sample(solution, PDN_QUANTITY(PDN_JOINT_ACCELERATION, heave, PDN_DISPLACEMENT),
+                            t, TIMES, out->acceleration));
+    pdn_quantity force = pdn_quantity_of(PDN_FORCE_ON_NODE, damper, PDN_ALL_COMPONENTS);
+    force.node = chassis;
+    TRY(pdn_solution_sample(solution, &force, t, TIMES, out->force[0]));
+    TRY(pdn_solution_harmonics(solution,
+                               PDN_QUANTITY(PDN_JOINT_COORDINATE, heave, PDN_DISPLACEMENT),
+                               HARMONICS, &out->mean, NULL, out->cosines, out->sines));
     failed = 0;
 
 done:

@@ -288,15 +288,21 @@ static int sample(const turbine *e, const pdn_solution *solution, double period,
     for (int i = 0; i < TIMES; ++i) {
         out->t[i] = period * i / (TIMES - 1);
     }
-    TRY(pdn_solution_joint_coordinate(solution, e->gauge, PDN_DISPLACEMENT, out->t, TIMES,
-                                      out->curve[TIP]));
-    TRY(pdn_solution_joint_coordinate(solution, e->gauge, PDN_DISPLACEMENT_2, out->t, TIMES,
-                                      out->curve[BACK]));
-    TRY(pdn_solution_node_position(solution, e->tower_top, out->t, TIMES, top[0]));
-    TRY(pdn_solution_joint_reaction(solution, e->roots[0], PDN_FRAME_FIRST, out->t, TIMES,
-                                    root[0]));
-    TRY(pdn_solution_joint_driving_effort(solution, e->bearing, PDN_ROTATION, out->t, TIMES,
-                                          out->curve[TORQUE]));
+    TRY(pdn_solution_sample(solution,
+                            PDN_QUANTITY(PDN_JOINT_COORDINATE, e->gauge, PDN_DISPLACEMENT), out->t,
+                            TIMES, out->curve[TIP]));
+    TRY(pdn_solution_sample(solution,
+                            PDN_QUANTITY(PDN_JOINT_COORDINATE, e->gauge, PDN_DISPLACEMENT_2),
+                            out->t, TIMES, out->curve[BACK]));
+    TRY(pdn_solution_sample(solution,
+                            PDN_QUANTITY(PDN_NODE_POSITION, e->tower_top, PDN_ALL_COMPONENTS),
+                            out->t, TIMES, top[0]));
+    pdn_quantity at_root = pdn_quantity_of(PDN_JOINT_REACTION, e->roots[0], PDN_ALL_COMPONENTS);
+    at_root.frame = PDN_FRAME_FIRST;
+    TRY(pdn_solution_sample(solution, &at_root, out->t, TIMES, root[0]));
+    TRY(pdn_solution_sample(solution,
+                            PDN_QUANTITY(PDN_JOINT_DRIVING_EFFORT, e->bearing, PDN_ROTATION),
+                            out->t, TIMES, out->curve[TORQUE]));
     for (int i = 0; i < TIMES; ++i) {
         out->curve[TOP][i] = top[i][0];
         out->curve[FLAP_MOMENT][i] = -root[i][4];

@@ -87,9 +87,10 @@ static int run(const Options &given)
     for (std::size_t i = 0; i < t.size(); ++i) {
         t[i] = period * static_cast<double>(i) / 400;
     }
-    const auto position = solution.node_position(rocker.last, t);
-    const auto velocity = solution.node_velocity(rocker.last, pdn::Frame::space, t);
-    const auto torque = solution.joint_driving_effort(motor_D, Coordinate::rotation, t);
+    const auto position = solution.sample<3>({pdn::Kind::position, rocker.last}, t);
+    const auto velocity = solution.sample<6>({pdn::Kind::velocity, rocker.last}, t);
+    const auto torque =
+        solution.sample({pdn::Kind::driving_effort, motor_D, Coordinate::rotation}, t);
 
     const auto [lowest, highest] = std::minmax_element(torque.begin(), torque.end());
     std::printf("Torque of the motor: %.4f N m at %.3f T to %.4f N m at %.3f T\n", *lowest,

@@ -70,9 +70,10 @@ program spatial_four_bar
     if (.not. solution%converged()) error stop 1
 
     t = [(period*i/(times - 1), i=0, times - 1)]
-    call solution%node_position(rocker%last, t, position)
-    call solution%node_velocity(rocker%last, PDN_FRAME_SPACE, t, velocity)
-    call solution%joint_driving_effort(motor_D, PDN_ROTATION, t, torque)
+    call solution%sample(pdn_quantity_of(PDN_NODE_POSITION, rocker%last), t, position)
+    call solution%sample(pdn_quantity_of(PDN_NODE_VELOCITY, rocker%last), t, velocity)
+    call solution%sample(pdn_quantity_of(PDN_JOINT_DRIVING_EFFORT, motor_D, PDN_ROTATION), t, &
+        torque)
 
     lowest = minloc(torque, dim=1)
     highest = maxloc(torque, dim=1)

@@ -126,54 +126,33 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_DECAY_ROUNDING = 2503
     integer(c_int32_t), parameter :: PDN_FRAME_FIRST = 1603
     integer(c_int32_t), parameter :: PDN_FRAME_SECOND = 1604
-    integer(c_int32_t), parameter :: PDN_NODE_POSITION = 2600
-    integer(c_int32_t), parameter :: PDN_NODE_ROTATION = 2601
-    integer(c_int32_t), parameter :: PDN_NODE_QUATERNION = 2602
-    integer(c_int32_t), parameter :: PDN_NODE_VELOCITY = 2603
-    integer(c_int32_t), parameter :: PDN_NODE_ACCELERATION = 2604
-    integer(c_int32_t), parameter :: PDN_NODE_MATERIAL_VELOCITY = 2605
-    integer(c_int32_t), parameter :: PDN_NODE_MATERIAL_ACCELERATION = 2606
-    integer(c_int32_t), parameter :: PDN_JOINT_COORDINATE = 2700
-    integer(c_int32_t), parameter :: PDN_JOINT_RATE = 2701
-    integer(c_int32_t), parameter :: PDN_JOINT_ACCELERATION = 2702
-    integer(c_int32_t), parameter :: PDN_JOINT_DRIVING_EFFORT = 2703
-    integer(c_int32_t), parameter :: PDN_JOINT_REACTION = 2704
-    integer(c_int32_t), parameter :: PDN_BEAM_STRAIN = 2800
-    integer(c_int32_t), parameter :: PDN_BEAM_FORCE = 2801
-    integer(c_int32_t), parameter :: PDN_BEAM_FORCE_MEAN = 2802
-    integer(c_int32_t), parameter :: PDN_BEAM_FORCE_JUMP = 2803
-    integer(c_int32_t), parameter :: PDN_QUANTITY_POSITION = 100
-    integer(c_int32_t), parameter :: PDN_QUANTITY_ROTATION = 101
-    integer(c_int32_t), parameter :: PDN_QUANTITY_QUATERNION = 102
-    integer(c_int32_t), parameter :: PDN_QUANTITY_VELOCITY = 103
-    integer(c_int32_t), parameter :: PDN_QUANTITY_ACCELERATION = 104
-    integer(c_int32_t), parameter :: PDN_QUANTITY_COORDINATE = 200
-    integer(c_int32_t), parameter :: PDN_QUANTITY_COORDINATE_RATE = 201
-    integer(c_int32_t), parameter :: PDN_QUANTITY_COORDINATE_ACCELERATION = 202
-    integer(c_int32_t), parameter :: PDN_QUANTITY_DRIVING_EFFORT = 203
-    integer(c_int32_t), parameter :: PDN_QUANTITY_REACTION = 204
-    integer(c_int32_t), parameter :: PDN_QUANTITY_STRAIN = 300
-    integer(c_int32_t), parameter :: PDN_QUANTITY_BEAM_FORCE = 301
-    integer(c_int32_t), parameter :: PDN_QUANTITY_BEAM_FORCE_MEAN = 302
-    integer(c_int32_t), parameter :: PDN_QUANTITY_BEAM_FORCE_JUMP = 303
-    integer(c_int32_t), parameter :: PDN_QUANTITY_EFFORT = 400
-    integer(c_int32_t), parameter :: PDN_QUANTITY_BRANCH_EFFORT = 401
-    integer(c_int32_t), parameter :: PDN_QUANTITY_BRANCH_ELONGATION = 402
-    integer(c_int32_t), parameter :: PDN_QUANTITY_FORCE_ON_NODE = 403
-    integer(c_int32_t), parameter :: PDN_QUANTITY_BUSHING_EFFORTS = 404
-    integer(c_int32_t), parameter :: PDN_QUANTITY_CONTROL_EFFORT = 405
-    integer(c_int32_t), parameter :: PDN_QUANTITY_CONTROL_STATE = 406
-    integer(c_int32_t), parameter :: PDN_QUANTITY_SHELL_STRAIN = 500
-    integer(c_int32_t), parameter :: PDN_QUANTITY_SHELL_RESULTANT = 501
-    integer(c_int32_t), parameter :: PDN_QUANTITY_STRESS_TOP = 502
-    integer(c_int32_t), parameter :: PDN_QUANTITY_STRESS_BOTTOM = 503
-    integer(c_int32_t), parameter :: PDN_QUANTITY_RELATION_EFFORT = 600
+    integer(c_int32_t), parameter :: PDN_NODE_POSITION = 100
+    integer(c_int32_t), parameter :: PDN_NODE_ROTATION = 101
+    integer(c_int32_t), parameter :: PDN_NODE_QUATERNION = 102
+    integer(c_int32_t), parameter :: PDN_NODE_VELOCITY = 103
+    integer(c_int32_t), parameter :: PDN_NODE_ACCELERATION = 104
+    integer(c_int32_t), parameter :: PDN_JOINT_COORDINATE = 200
+    integer(c_int32_t), parameter :: PDN_JOINT_RATE = 201
+    integer(c_int32_t), parameter :: PDN_JOINT_ACCELERATION = 202
+    integer(c_int32_t), parameter :: PDN_JOINT_DRIVING_EFFORT = 203
+    integer(c_int32_t), parameter :: PDN_JOINT_REACTION = 204
+    integer(c_int32_t), parameter :: PDN_BEAM_STRAIN = 300
+    integer(c_int32_t), parameter :: PDN_BEAM_FORCE = 301
+    integer(c_int32_t), parameter :: PDN_BEAM_FORCE_MEAN = 302
+    integer(c_int32_t), parameter :: PDN_BEAM_FORCE_JUMP = 303
+    integer(c_int32_t), parameter :: PDN_FORCE_EFFORT = 400
+    integer(c_int32_t), parameter :: PDN_FORCE_BRANCH_EFFORT = 401
+    integer(c_int32_t), parameter :: PDN_FORCE_BRANCH_ELONGATION = 402
+    integer(c_int32_t), parameter :: PDN_FORCE_ON_NODE = 403
+    integer(c_int32_t), parameter :: PDN_FORCE_BUSHING_EFFORTS = 404
+    integer(c_int32_t), parameter :: PDN_FORCE_CONTROL_EFFORT = 405
+    integer(c_int32_t), parameter :: PDN_FORCE_CONTROL_STATE = 406
+    integer(c_int32_t), parameter :: PDN_SHELL_STRAIN = 500
+    integer(c_int32_t), parameter :: PDN_SHELL_RESULTANT = 501
+    integer(c_int32_t), parameter :: PDN_SHELL_STRESS_TOP = 502
+    integer(c_int32_t), parameter :: PDN_SHELL_STRESS_BOTTOM = 503
+    integer(c_int32_t), parameter :: PDN_RELATION_EFFORT = 600
     integer(c_int32_t), parameter :: PDN_ALL_COMPONENTS = -2
-    integer(c_int32_t), parameter :: PDN_FORCE_EFFORT = 3000
-    integer(c_int32_t), parameter :: PDN_FORCE_BRANCH_EFFORT = 3001
-    integer(c_int32_t), parameter :: PDN_FORCE_BRANCH_ELONGATION = 3002
-    integer(c_int32_t), parameter :: PDN_FORCE_ON_NODE = 3003
-    integer(c_int32_t), parameter :: PDN_FORCE_ON_NODE_MATERIAL = 3004
     integer(c_int32_t), parameter :: PDN_FILTER_LANCZOS = 3100
     integer(c_int32_t), parameter :: PDN_FILTER_EXPONENTIAL = 3101
     integer(c_int32_t), parameter :: PDN_STAGE_INITIAL_GUESS = 3200
@@ -2122,218 +2101,6 @@ module periodyn_c
             integer(c_int32_t) :: pdn_solution_grid_times
         end function pdn_solution_grid_times
 
-        ! Position of a node at any times
-        function pdn_solution_node_position(solution, node, times, count, &
-            out) bind(C, name="pdn_solution_node_position")
-            import
-            type(c_ptr), value :: solution
-            integer(c_int32_t), value :: node
-            real(c_double), intent(in) :: times(*)
-            integer(c_size_t), value :: count
-            real(c_double), intent(inout) :: out(*)
-            integer(c_int32_t) :: pdn_solution_node_position
-        end function pdn_solution_node_position
-
-        ! Rotation matrix of a node at any times
-        function pdn_solution_node_rotation(solution, node, times, count, &
-            out) bind(C, name="pdn_solution_node_rotation")
-            import
-            type(c_ptr), value :: solution
-            integer(c_int32_t), value :: node
-            real(c_double), intent(in) :: times(*)
-            integer(c_size_t), value :: count
-            real(c_double), intent(inout) :: out(*)
-            integer(c_int32_t) :: pdn_solution_node_rotation
-        end function pdn_solution_node_rotation
-
-        ! Unit quaternion of a node at any times
-        function pdn_solution_node_quaternion(solution, node, times, count, &
-            out) bind(C, name="pdn_solution_node_quaternion")
-            import
-            type(c_ptr), value :: solution
-            integer(c_int32_t), value :: node
-            real(c_double), intent(in) :: times(*)
-            integer(c_size_t), value :: count
-            real(c_double), intent(inout) :: out(*)
-            integer(c_int32_t) :: pdn_solution_node_quaternion
-        end function pdn_solution_node_quaternion
-
-        ! Velocity of a node at any times
-        function pdn_solution_node_velocity(solution, node, frame, times, count, &
-            out) bind(C, name="pdn_solution_node_velocity")
-            import
-            type(c_ptr), value :: solution
-            integer(c_int32_t), value :: node
-            integer(c_int32_t), value :: frame
-            real(c_double), intent(in) :: times(*)
-            integer(c_size_t), value :: count
-            real(c_double), intent(inout) :: out(*)
-            integer(c_int32_t) :: pdn_solution_node_velocity
-        end function pdn_solution_node_velocity
-
-        ! Acceleration of a node at any times
-        function pdn_solution_node_acceleration(solution, node, frame, times, count, &
-            out) bind(C, name="pdn_solution_node_acceleration")
-            import
-            type(c_ptr), value :: solution
-            integer(c_int32_t), value :: node
-            integer(c_int32_t), value :: frame
-            real(c_double), intent(in) :: times(*)
-            integer(c_size_t), value :: count
-            real(c_double), intent(inout) :: out(*)
-            integer(c_int32_t) :: pdn_solution_node_acceleration
-        end function pdn_solution_node_acceleration
-
-        ! Joint coordinate at any times: a displacement, or an angle, followed continuously through whole turns
-        function pdn_solution_joint_coordinate(solution, joint, coordinate, times, count, &
-            out) bind(C, name="pdn_solution_joint_coordinate")
-            import
-            type(c_ptr), value :: solution
-            integer(c_int32_t), value :: joint
-            integer(c_int32_t), value :: coordinate
-            real(c_double), intent(in) :: times(*)
-            integer(c_size_t), value :: count
-            real(c_double), intent(inout) :: out(*)
-            integer(c_int32_t) :: pdn_solution_joint_coordinate
-        end function pdn_solution_joint_coordinate
-
-        ! Rate of a joint coordinate at any times
-        function pdn_solution_joint_rate(solution, joint, coordinate, times, count, &
-            out) bind(C, name="pdn_solution_joint_rate")
-            import
-            type(c_ptr), value :: solution
-            integer(c_int32_t), value :: joint
-            integer(c_int32_t), value :: coordinate
-            real(c_double), intent(in) :: times(*)
-            integer(c_size_t), value :: count
-            real(c_double), intent(inout) :: out(*)
-            integer(c_int32_t) :: pdn_solution_joint_rate
-        end function pdn_solution_joint_rate
-
-        ! Second derivative in time of a joint coordinate at any times
-        function pdn_solution_joint_acceleration(solution, joint, coordinate, times, count, &
-            out) bind(C, name="pdn_solution_joint_acceleration")
-            import
-            type(c_ptr), value :: solution
-            integer(c_int32_t), value :: joint
-            integer(c_int32_t), value :: coordinate
-            real(c_double), intent(in) :: times(*)
-            integer(c_size_t), value :: count
-            real(c_double), intent(inout) :: out(*)
-            integer(c_int32_t) :: pdn_solution_joint_acceleration
-        end function pdn_solution_joint_acceleration
-
-        ! Force or torque that drives a prescribed coordinate, at any times
-        function pdn_solution_joint_driving_effort(solution, joint, coordinate, times, count, &
-            out) bind(C, name="pdn_solution_joint_driving_effort")
-            import
-            type(c_ptr), value :: solution
-            integer(c_int32_t), value :: joint
-            integer(c_int32_t), value :: coordinate
-            real(c_double), intent(in) :: times(*)
-            integer(c_size_t), value :: count
-            real(c_double), intent(inout) :: out(*)
-            integer(c_int32_t) :: pdn_solution_joint_driving_effort
-        end function pdn_solution_joint_driving_effort
-
-        ! Reaction of a joint at any times: what its constraints exert on the second body
-        function pdn_solution_joint_reaction(solution, joint, axes, times, count, &
-            out) bind(C, name="pdn_solution_joint_reaction")
-            import
-            type(c_ptr), value :: solution
-            integer(c_int32_t), value :: joint
-            integer(c_int32_t), value :: axes
-            real(c_double), intent(in) :: times(*)
-            integer(c_size_t), value :: count
-            real(c_double), intent(inout) :: out(*)
-            integer(c_int32_t) :: pdn_solution_joint_reaction
-        end function pdn_solution_joint_reaction
-
-        ! Strains of a beam element at a station and any times
-        function pdn_solution_beam_strain(solution, element, station, times, count, &
-            out) bind(C, name="pdn_solution_beam_strain")
-            import
-            type(c_ptr), value :: solution
-            integer(c_int32_t), value :: element
-            real(c_double), value :: station
-            real(c_double), intent(in) :: times(*)
-            integer(c_size_t), value :: count
-            real(c_double), intent(inout) :: out(*)
-            integer(c_int32_t) :: pdn_solution_beam_strain
-        end function pdn_solution_beam_strain
-
-        ! Internal forces of a beam element at a station and any times
-        function pdn_solution_beam_force(solution, element, station, times, count, &
-            out) bind(C, name="pdn_solution_beam_force")
-            import
-            type(c_ptr), value :: solution
-            integer(c_int32_t), value :: element
-            real(c_double), value :: station
-            real(c_double), intent(in) :: times(*)
-            integer(c_size_t), value :: count
-            real(c_double), intent(inout) :: out(*)
-            integer(c_int32_t) :: pdn_solution_beam_force
-        end function pdn_solution_beam_force
-
-        ! Internal forces of a beam at a node between two of its elements: the mean of those of both, and how much ...
-        function pdn_solution_beam_force_between(solution, element, station, times, count, mean, &
-            jump) bind(C, name="pdn_solution_beam_force_between")
-            import
-            type(c_ptr), value :: solution
-            integer(c_int32_t), value :: element
-            real(c_double), value :: station
-            real(c_double), intent(in) :: times(*)
-            integer(c_size_t), value :: count
-            real(c_double), intent(inout), optional :: mean(*)
-            real(c_double), intent(inout), optional :: jump(*)
-            integer(c_int32_t) :: pdn_solution_beam_force_between
-        end function pdn_solution_beam_force_between
-
-        ! Fourier coefficients of a node's quantity: mean + sum of cosines[j] cos jwt + sines[j] sin jwt
-        function pdn_solution_node_harmonics(solution, node, quantity, harmonics, mean, cosines, &
-            sines) bind(C, name="pdn_solution_node_harmonics")
-            import
-            type(c_ptr), value :: solution
-            integer(c_int32_t), value :: node
-            integer(c_int32_t), value :: quantity
-            integer(c_size_t), value :: harmonics
-            real(c_double), intent(inout), optional :: mean(*)
-            real(c_double), intent(inout), optional :: cosines(*)
-            real(c_double), intent(inout), optional :: sines(*)
-            integer(c_int32_t) :: pdn_solution_node_harmonics
-        end function pdn_solution_node_harmonics
-
-        ! Fourier coefficients of a joint's quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j] sin jwt
-        function pdn_solution_joint_harmonics(solution, joint, quantity, detail, harmonics, mean, rate, &
-            cosines, sines) bind(C, name="pdn_solution_joint_harmonics")
-            import
-            type(c_ptr), value :: solution
-            integer(c_int32_t), value :: joint
-            integer(c_int32_t), value :: quantity
-            integer(c_int32_t), value :: detail
-            integer(c_size_t), value :: harmonics
-            real(c_double), intent(inout), optional :: mean(*)
-            real(c_double), intent(inout), optional :: rate(*)
-            real(c_double), intent(inout), optional :: cosines(*)
-            real(c_double), intent(inout), optional :: sines(*)
-            integer(c_int32_t) :: pdn_solution_joint_harmonics
-        end function pdn_solution_joint_harmonics
-
-        ! Fourier coefficients of strains or internal forces of a beam element at a station
-        function pdn_solution_beam_harmonics(solution, element, station, quantity, harmonics, mean, cosines, &
-            sines) bind(C, name="pdn_solution_beam_harmonics")
-            import
-            type(c_ptr), value :: solution
-            integer(c_int32_t), value :: element
-            real(c_double), value :: station
-            integer(c_int32_t), value :: quantity
-            integer(c_size_t), value :: harmonics
-            real(c_double), intent(inout), optional :: mean(*)
-            real(c_double), intent(inout), optional :: cosines(*)
-            real(c_double), intent(inout), optional :: sines(*)
-            integer(c_int32_t) :: pdn_solution_beam_harmonics
-        end function pdn_solution_beam_harmonics
-
         ! Prepares a struct that tells a quantity; use `PDN_INIT(pdn_quantity, &quantity)`
         subroutine pdn_quantity_init(quantity, struct_size) bind(C, name="pdn_quantity_init")
             import
@@ -2349,20 +2116,20 @@ module periodyn_c
         end function pdn_quantity_components
 
         ! A quantity of a solution at any times
-        function pdn_solution_sample_quantity(solution, quantity, times, count, &
-            out) bind(C, name="pdn_solution_sample_quantity")
+        function pdn_solution_sample(solution, quantity, times, count, &
+            out) bind(C, name="pdn_solution_sample")
             import
             type(c_ptr), value :: solution
             type(pdn_quantity), intent(in) :: quantity
             real(c_double), intent(in) :: times(*)
             integer(c_size_t), value :: count
             real(c_double), intent(inout) :: out(*)
-            integer(c_int32_t) :: pdn_solution_sample_quantity
-        end function pdn_solution_sample_quantity
+            integer(c_int32_t) :: pdn_solution_sample
+        end function pdn_solution_sample
 
         ! Fourier coefficients of a quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j] sin jwt
-        function pdn_solution_quantity_harmonics(solution, quantity, harmonics, mean, rate, cosines, &
-            sines) bind(C, name="pdn_solution_quantity_harmonics")
+        function pdn_solution_harmonics(solution, quantity, harmonics, mean, rate, cosines, &
+            sines) bind(C, name="pdn_solution_harmonics")
             import
             type(c_ptr), value :: solution
             type(pdn_quantity), intent(in) :: quantity
@@ -2371,12 +2138,12 @@ module periodyn_c
             real(c_double), intent(inout), optional :: rate(*)
             real(c_double), intent(inout), optional :: cosines(*)
             real(c_double), intent(inout), optional :: sines(*)
-            integer(c_int32_t) :: pdn_solution_quantity_harmonics
-        end function pdn_solution_quantity_harmonics
+            integer(c_int32_t) :: pdn_solution_harmonics
+        end function pdn_solution_harmonics
 
         ! Smallest and largest values of a quantity, and their times
-        function pdn_solution_quantity_extremes(solution, quantity, smallest, time_of_smallest, largest, &
-            time_of_largest) bind(C, name="pdn_solution_quantity_extremes")
+        function pdn_solution_extremes(solution, quantity, smallest, time_of_smallest, largest, &
+            time_of_largest) bind(C, name="pdn_solution_extremes")
             import
             type(c_ptr), value :: solution
             type(pdn_quantity), intent(in) :: quantity
@@ -2384,8 +2151,8 @@ module periodyn_c
             real(c_double), intent(inout), optional :: time_of_smallest(*)
             real(c_double), intent(inout), optional :: largest(*)
             real(c_double), intent(inout), optional :: time_of_largest(*)
-            integer(c_int32_t) :: pdn_solution_quantity_extremes
-        end function pdn_solution_quantity_extremes
+            integer(c_int32_t) :: pdn_solution_extremes
+        end function pdn_solution_extremes
 
         ! Adds the columns of a quantity of a solution, named by the label and the component; or that of one ...
         function pdn_table_add_quantity(table, solution, quantity, &
@@ -2397,74 +2164,6 @@ module periodyn_c
             character(kind=c_char), intent(in), optional :: label(*)
             integer(c_int32_t) :: pdn_table_add_quantity
         end function pdn_table_add_quantity
-
-        ! Effort of a force on a joint coordinate, at any times
-        function pdn_solution_force_effort(solution, force, times, count, &
-            out) bind(C, name="pdn_solution_force_effort")
-            import
-            type(c_ptr), value :: solution
-            integer(c_int32_t), value :: force
-            real(c_double), intent(in) :: times(*)
-            integer(c_size_t), value :: count
-            real(c_double), intent(inout) :: out(*)
-            integer(c_int32_t) :: pdn_solution_force_effort
-        end function pdn_solution_force_effort
-
-        ! Effort of one branch of a viscoelastic element, at any times: positive against growth
-        function pdn_solution_force_branch_effort(solution, force, branch, times, count, &
-            out) bind(C, name="pdn_solution_force_branch_effort")
-            import
-            type(c_ptr), value :: solution
-            integer(c_int32_t), value :: force
-            integer(c_int32_t), value :: branch
-            real(c_double), intent(in) :: times(*)
-            integer(c_size_t), value :: count
-            real(c_double), intent(inout) :: out(*)
-            integer(c_int32_t) :: pdn_solution_force_branch_effort
-        end function pdn_solution_force_branch_effort
-
-        ! Elongation of the dashpot of one branch of a viscoelastic element, at any times: its internal state
-        function pdn_solution_force_branch_elongation(solution, force, branch, times, count, &
-            out) bind(C, name="pdn_solution_force_branch_elongation")
-            import
-            type(c_ptr), value :: solution
-            integer(c_int32_t), value :: force
-            integer(c_int32_t), value :: branch
-            real(c_double), intent(in) :: times(*)
-            integer(c_size_t), value :: count
-            real(c_double), intent(inout) :: out(*)
-            integer(c_int32_t) :: pdn_solution_force_branch_elongation
-        end function pdn_solution_force_branch_elongation
-
-        ! What a force exerts on one of its nodes, at any times: force, and moment about the node
-        function pdn_solution_force_on_node(solution, force, node, frame, times, count, &
-            out) bind(C, name="pdn_solution_force_on_node")
-            import
-            type(c_ptr), value :: solution
-            integer(c_int32_t), value :: force
-            integer(c_int32_t), value :: node
-            integer(c_int32_t), value :: frame
-            real(c_double), intent(in) :: times(*)
-            integer(c_size_t), value :: count
-            real(c_double), intent(inout) :: out(*)
-            integer(c_int32_t) :: pdn_solution_force_on_node
-        end function pdn_solution_force_on_node
-
-        ! Fourier coefficients of a force's quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j] sin jwt
-        function pdn_solution_force_harmonics(solution, force, quantity, detail, harmonics, mean, rate, &
-            cosines, sines) bind(C, name="pdn_solution_force_harmonics")
-            import
-            type(c_ptr), value :: solution
-            integer(c_int32_t), value :: force
-            integer(c_int32_t), value :: quantity
-            integer(c_int32_t), value :: detail
-            integer(c_size_t), value :: harmonics
-            real(c_double), intent(inout), optional :: mean(*)
-            real(c_double), intent(inout), optional :: rate(*)
-            real(c_double), intent(inout), optional :: cosines(*)
-            real(c_double), intent(inout), optional :: sines(*)
-            integer(c_int32_t) :: pdn_solution_force_harmonics
-        end function pdn_solution_force_harmonics
 
         ! A copy of a solution whose quantities are seen through a spectral filter
         function pdn_solution_filtered(solution, filter, order, out) bind(C, name="pdn_solution_filtered")
@@ -3724,56 +3423,6 @@ module periodyn_c
             type(c_ptr), value :: table
         end subroutine pdn_table_free
 
-        ! Adds the columns of a quantity of a node, named by the label and the component
-        function pdn_table_add_node(table, solution, node, quantity, label) bind(C, name="pdn_table_add_node")
-            import
-            type(c_ptr), value :: table
-            type(c_ptr), value :: solution
-            integer(c_int32_t), value :: node
-            integer(c_int32_t), value :: quantity
-            character(kind=c_char), intent(in), optional :: label(*)
-            integer(c_int32_t) :: pdn_table_add_node
-        end function pdn_table_add_node
-
-        ! Adds the columns of a quantity of a joint: one of that name or, for reactions, six with components ...
-        function pdn_table_add_joint(table, solution, joint, quantity, detail, &
-            label) bind(C, name="pdn_table_add_joint")
-            import
-            type(c_ptr), value :: table
-            type(c_ptr), value :: solution
-            integer(c_int32_t), value :: joint
-            integer(c_int32_t), value :: quantity
-            integer(c_int32_t), value :: detail
-            character(kind=c_char), intent(in), optional :: label(*)
-            integer(c_int32_t) :: pdn_table_add_joint
-        end function pdn_table_add_joint
-
-        ! Adds the six columns of strains or internal forces of a beam element at a station
-        function pdn_table_add_beam(table, solution, element, station, quantity, &
-            label) bind(C, name="pdn_table_add_beam")
-            import
-            type(c_ptr), value :: table
-            type(c_ptr), value :: solution
-            integer(c_int32_t), value :: element
-            real(c_double), value :: station
-            integer(c_int32_t), value :: quantity
-            character(kind=c_char), intent(in), optional :: label(*)
-            integer(c_int32_t) :: pdn_table_add_beam
-        end function pdn_table_add_beam
-
-        ! Adds the columns of a quantity of a force: one of that name or, for what it exerts on a node, six with ...
-        function pdn_table_add_force(table, solution, force, quantity, detail, &
-            label) bind(C, name="pdn_table_add_force")
-            import
-            type(c_ptr), value :: table
-            type(c_ptr), value :: solution
-            integer(c_int32_t), value :: force
-            integer(c_int32_t), value :: quantity
-            integer(c_int32_t), value :: detail
-            character(kind=c_char), intent(in), optional :: label(*)
-            integer(c_int32_t) :: pdn_table_add_force
-        end function pdn_table_add_force
-
         ! Adds a column of values of your own, such as one computed from several quantities
         function pdn_table_add_values(table, label, values, count) bind(C, name="pdn_table_add_values")
             import
@@ -3870,7 +3519,7 @@ module periodyn
     use, intrinsic :: iso_fortran_env, only: error_unit
     implicit none
     public
-    private :: report, refuse, fits, components, of_quantity, count_of, joined, text_at, c_text, choose, error_unit
+    private :: report, refuse, fits, of_quantity, count_of, joined, text_at, c_text, choose, error_unit
 
     ! In every procedure: without stat, a failure ends the program with the message. With it, stat is 0 or the
     ! negative status (PDN_ERR_VALUE, ...), and errmsg, blank-padded, tells which argument was wrong, what was
@@ -3933,30 +3582,10 @@ module periodyn
         procedure, public :: filtered => solution_filtered
         procedure, public :: sharp_events => solution_sharp_events
         procedure, public :: grid_times => solution_grid_times
-        procedure, public :: node_position => solution_node_position
-        procedure, public :: node_rotation => solution_node_rotation
-        procedure, public :: node_quaternion => solution_node_quaternion
-        procedure, public :: node_velocity => solution_node_velocity
-        procedure, public :: node_acceleration => solution_node_acceleration
-        procedure, public :: joint_coordinate => solution_joint_coordinate
-        procedure, public :: joint_rate => solution_joint_rate
-        procedure, public :: joint_acceleration => solution_joint_acceleration
-        procedure, public :: joint_driving_effort => solution_joint_driving_effort
-        procedure, public :: joint_reaction => solution_joint_reaction
-        procedure, public :: beam_strain => solution_beam_strain
-        procedure, public :: beam_force => solution_beam_force
-        procedure, public :: beam_force_between => solution_beam_force_between
-        procedure, public :: force_effort => solution_force_effort
-        procedure, public :: force_branch_effort => solution_force_branch_effort
-        procedure, public :: force_branch_elongation => solution_force_branch_elongation
-        procedure, public :: force_on_node => solution_force_on_node
-        procedure, public :: sample => solution_sample
+        procedure, private :: solution_sample, solution_sample_line
+        generic, public :: sample => solution_sample, solution_sample_line
         procedure, public :: harmonics => solution_harmonics
         procedure, public :: extremes => solution_extremes
-        procedure, public :: node_harmonics => solution_node_harmonics
-        procedure, public :: joint_harmonics => solution_joint_harmonics
-        procedure, public :: beam_harmonics => solution_beam_harmonics
-        procedure, public :: force_harmonics => solution_force_harmonics
         procedure, public :: write_vtk => solution_write_vtk
         procedure, public :: save => solution_save
         procedure, public :: load => solution_load
@@ -4173,10 +3802,6 @@ module periodyn
     type, extends(pdn_handle) :: pdn_table
     contains
         procedure, public :: new => table_new
-        procedure, public :: add_node => table_add_node
-        procedure, public :: add_joint => table_add_joint
-        procedure, public :: add_beam => table_add_beam
-        procedure, public :: add_force => table_add_force
         procedure, public :: add => table_add
         procedure, public :: add_values => table_add_values
         procedure, public :: write_csv => table_write_csv
@@ -4263,18 +3888,6 @@ contains
         write (message(len_trim(message) + 1:), '(a, *(i0, :, " x "))') ', got ', found
         call refuse(PDN_ERR_SIZE, trim(message), stat, errmsg)
     end function fits
-
-    ! Number of components of a quantity, given those of all; of an unknown one, which the library refuses, most.
-    pure integer function components(quantity, of_all)
-        integer(c_int32_t), intent(in) :: quantity
-        integer, intent(in) :: of_all(0:)
-        integer :: place
-
-        components = maxval(of_all)
-        ! Constants of each list count on from a hundred.
-        place = modulo(quantity, 100)
-        if (quantity >= 0 .and. place < size(of_all)) components = of_all(place)
-    end function components
 
     ! A count for the library; none instead of a negative one, which it refuses.
     pure integer(c_size_t) function count_of(number)
@@ -6247,233 +5860,7 @@ contains
         call report(status, stat, errmsg)
     end subroutine solution_grid_times
 
-    ! Position of a node.
-    subroutine solution_node_position(self, node, times, out, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        integer(c_int32_t), intent(in) :: node
-        real(c_double), intent(in) :: times(:)
-        real(c_double), intent(inout) :: out(:, :)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (.not. fits('out', shape(out), [3, size(times)], stat, errmsg)) return
-        call report(pdn_solution_node_position(self%c, node, times, size(times, kind=c_size_t), out), stat, errmsg)
-    end subroutine solution_node_position
-
-    ! Rotation matrix, column by column.
-    subroutine solution_node_rotation(self, node, times, out, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        integer(c_int32_t), intent(in) :: node
-        real(c_double), intent(in) :: times(:)
-        real(c_double), intent(inout) :: out(:, :)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (.not. fits('out', shape(out), [9, size(times)], stat, errmsg)) return
-        call report(pdn_solution_node_rotation(self%c, node, times, size(times, kind=c_size_t), out), stat, errmsg)
-    end subroutine solution_node_rotation
-
-    ! Unit quaternion (w, x, y, z).
-    subroutine solution_node_quaternion(self, node, times, out, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        integer(c_int32_t), intent(in) :: node
-        real(c_double), intent(in) :: times(:)
-        real(c_double), intent(inout) :: out(:, :)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (.not. fits('out', shape(out), [4, size(times)], stat, errmsg)) return
-        call report(pdn_solution_node_quaternion(self%c, node, times, size(times, kind=c_size_t), out), stat, errmsg)
-    end subroutine solution_node_quaternion
-
-    subroutine solution_node_velocity(self, node, frame, times, out, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        integer(c_int32_t), intent(in) :: node, frame
-        real(c_double), intent(in) :: times(:)
-        real(c_double), intent(inout) :: out(:, :)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (.not. fits('out', shape(out), [6, size(times)], stat, errmsg)) return
-        call report(pdn_solution_node_velocity(self%c, node, frame, times, size(times, kind=c_size_t), &
-            out), stat, errmsg)
-    end subroutine solution_node_velocity
-
-    subroutine solution_node_acceleration(self, node, frame, times, out, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        integer(c_int32_t), intent(in) :: node, frame
-        real(c_double), intent(in) :: times(:)
-        real(c_double), intent(inout) :: out(:, :)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (.not. fits('out', shape(out), [6, size(times)], stat, errmsg)) return
-        call report(pdn_solution_node_acceleration(self%c, node, frame, times, size(times, kind=c_size_t), &
-            out), stat, errmsg)
-    end subroutine solution_node_acceleration
-
-    subroutine solution_joint_coordinate(self, joint, coordinate, times, out, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        integer(c_int32_t), intent(in) :: joint, coordinate
-        real(c_double), intent(in) :: times(:)
-        real(c_double), intent(inout) :: out(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (.not. fits('out', shape(out), shape(times), stat, errmsg)) return
-        call report(pdn_solution_joint_coordinate(self%c, joint, coordinate, times, size(times, kind=c_size_t), &
-            out), stat, errmsg)
-    end subroutine solution_joint_coordinate
-
-    subroutine solution_joint_rate(self, joint, coordinate, times, out, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        integer(c_int32_t), intent(in) :: joint, coordinate
-        real(c_double), intent(in) :: times(:)
-        real(c_double), intent(inout) :: out(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (.not. fits('out', shape(out), shape(times), stat, errmsg)) return
-        call report(pdn_solution_joint_rate(self%c, joint, coordinate, times, size(times, kind=c_size_t), &
-            out), stat, errmsg)
-    end subroutine solution_joint_rate
-
-    subroutine solution_joint_acceleration(self, joint, coordinate, times, out, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        integer(c_int32_t), intent(in) :: joint, coordinate
-        real(c_double), intent(in) :: times(:)
-        real(c_double), intent(inout) :: out(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (.not. fits('out', shape(out), shape(times), stat, errmsg)) return
-        call report(pdn_solution_joint_acceleration(self%c, joint, coordinate, times, size(times, kind=c_size_t), &
-            out), stat, errmsg)
-    end subroutine solution_joint_acceleration
-
-    subroutine solution_joint_driving_effort(self, joint, coordinate, times, out, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        integer(c_int32_t), intent(in) :: joint, coordinate
-        real(c_double), intent(in) :: times(:)
-        real(c_double), intent(inout) :: out(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (.not. fits('out', shape(out), shape(times), stat, errmsg)) return
-        call report(pdn_solution_joint_driving_effort(self%c, joint, coordinate, times, size(times, kind=c_size_t), &
-            out), stat, errmsg)
-    end subroutine solution_joint_driving_effort
-
-    ! Force and moment on the second body.
-    subroutine solution_joint_reaction(self, joint, axes, times, out, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        integer(c_int32_t), intent(in) :: joint, axes
-        real(c_double), intent(in) :: times(:)
-        real(c_double), intent(inout) :: out(:, :)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (.not. fits('out', shape(out), [6, size(times)], stat, errmsg)) return
-        call report(pdn_solution_joint_reaction(self%c, joint, axes, times, size(times, kind=c_size_t), &
-            out), stat, errmsg)
-    end subroutine solution_joint_reaction
-
-    subroutine solution_beam_strain(self, element, station, times, out, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        integer(c_int32_t), intent(in) :: element
-        real(c_double), intent(in) :: station
-        real(c_double), intent(in) :: times(:)
-        real(c_double), intent(inout) :: out(:, :)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (.not. fits('out', shape(out), [6, size(times)], stat, errmsg)) return
-        call report(pdn_solution_beam_strain(self%c, element, station, times, size(times, kind=c_size_t), &
-            out), stat, errmsg)
-    end subroutine solution_beam_strain
-
-    subroutine solution_beam_force(self, element, station, times, out, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        integer(c_int32_t), intent(in) :: element
-        real(c_double), intent(in) :: station
-        real(c_double), intent(in) :: times(:)
-        real(c_double), intent(inout) :: out(:, :)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (.not. fits('out', shape(out), [6, size(times)], stat, errmsg)) return
-        call report(pdn_solution_beam_force(self%c, element, station, times, size(times, kind=c_size_t), &
-            out), stat, errmsg)
-    end subroutine solution_beam_force
-
-    ! Between two elements: the mean of both, and how much they jump.
-    subroutine solution_beam_force_between(self, element, station, times, mean, jump, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        integer(c_int32_t), intent(in) :: element
-        real(c_double), intent(in) :: station
-        real(c_double), intent(in) :: times(:)
-        real(c_double), intent(inout) :: mean(:, :), jump(:, :)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (.not. fits('mean', shape(mean), [6, size(times)], stat, errmsg)) return
-        if (.not. fits('jump', shape(jump), [6, size(times)], stat, errmsg)) return
-        call report(pdn_solution_beam_force_between(self%c, element, station, times, &
-            size(times, kind=c_size_t), mean, jump), stat, errmsg)
-    end subroutine solution_beam_force_between
-
-    subroutine solution_force_effort(self, force, times, out, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        integer(c_int32_t), intent(in) :: force
-        real(c_double), intent(in) :: times(:)
-        real(c_double), intent(inout) :: out(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (.not. fits('out', shape(out), shape(times), stat, errmsg)) return
-        call report(pdn_solution_force_effort(self%c, force, times, size(times, kind=c_size_t), out), stat, errmsg)
-    end subroutine solution_force_effort
-
-    subroutine solution_force_branch_effort(self, force, branch, times, out, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        integer(c_int32_t), intent(in) :: force, branch
-        real(c_double), intent(in) :: times(:)
-        real(c_double), intent(inout) :: out(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (.not. fits('out', shape(out), shape(times), stat, errmsg)) return
-        call report(pdn_solution_force_branch_effort(self%c, force, branch, times, size(times, kind=c_size_t), &
-            out), stat, errmsg)
-    end subroutine solution_force_branch_effort
-
-    subroutine solution_force_branch_elongation(self, force, branch, times, out, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        integer(c_int32_t), intent(in) :: force, branch
-        real(c_double), intent(in) :: times(:)
-        real(c_double), intent(inout) :: out(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (.not. fits('out', shape(out), shape(times), stat, errmsg)) return
-        call report(pdn_solution_force_branch_elongation(self%c, force, branch, times, size(times, kind=c_size_t), &
-            out), stat, errmsg)
-    end subroutine solution_force_branch_elongation
-
-    subroutine solution_force_on_node(self, force, node, frame, times, out, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        integer(c_int32_t), intent(in) :: force, node, frame
-        real(c_double), intent(in) :: times(:)
-        real(c_double), intent(inout) :: out(:, :)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (.not. fits('out', shape(out), [6, size(times)], stat, errmsg)) return
-        call report(pdn_solution_force_on_node(self%c, force, node, frame, times, size(times, kind=c_size_t), &
-            out), stat, errmsg)
-    end subroutine solution_force_on_node
-
-    ! What is asked of a solution, of one of the kinds PDN_QUANTITY_..., of a node, joint, beam element or force;
+    ! What is asked of a solution, of one of the kinds PDN_NODE_POSITION, ..., of a node, joint, beam element or force;
     ! other fields of ::pdn_quantity may then be set.
     function pdn_quantity_of(kind, object, component, frame, node, branch, station) result(quantity)
         integer(c_int32_t), intent(in) :: kind, object
@@ -6501,9 +5888,23 @@ contains
         character(*), intent(inout), optional :: errmsg
 
         if (.not. fits('out', shape(out), [of_quantity(quantity, size(out, 1)), size(times)], stat, errmsg)) return
-        call report(pdn_solution_sample_quantity(self%c, quantity, times, size(times, kind=c_size_t), &
+        call report(pdn_solution_sample(self%c, quantity, times, size(times, kind=c_size_t), &
             out), stat, errmsg)
     end subroutine solution_sample
+
+    ! The same in one dimension, components of each time together.
+    subroutine solution_sample_line(self, quantity, times, out, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        type(pdn_quantity), intent(in) :: quantity
+        real(c_double), intent(in) :: times(:)
+        real(c_double), intent(inout) :: out(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        if (.not. fits('out', shape(out), [of_quantity(quantity, 1) * size(times)], stat, errmsg)) return
+        call report(pdn_solution_sample(self%c, quantity, times, size(times, kind=c_size_t), &
+            out), stat, errmsg)
+    end subroutine solution_sample_line
 
     ! Fourier coefficients; cosines and sines have one column for each harmonic that is wanted.
     subroutine solution_harmonics(self, quantity, mean, cosines, sines, rate, stat, errmsg)
@@ -6520,7 +5921,7 @@ contains
         if (present(rate)) then
             if (.not. fits('rate', shape(rate), shape(mean), stat, errmsg)) return
         end if
-        call report(pdn_solution_quantity_harmonics(self%c, quantity, size(cosines, 2, c_size_t), mean, rate, &
+        call report(pdn_solution_harmonics(self%c, quantity, size(cosines, 2, c_size_t), mean, rate, &
             cosines, sines), stat, errmsg)
     end subroutine solution_harmonics
 
@@ -6538,7 +5939,7 @@ contains
         if (.not. fits('time_of_smallest', shape(time_of_smallest), wanted, stat, errmsg)) return
         if (.not. fits('largest', shape(largest), wanted, stat, errmsg)) return
         if (.not. fits('time_of_largest', shape(time_of_largest), wanted, stat, errmsg)) return
-        call report(pdn_solution_quantity_extremes(self%c, quantity, smallest, time_of_smallest, largest, &
+        call report(pdn_solution_extremes(self%c, quantity, smallest, time_of_smallest, largest, &
             time_of_largest), stat, errmsg)
     end subroutine solution_extremes
 
@@ -6550,76 +5951,6 @@ contains
         of_quantity = pdn_quantity_components(quantity)
         if (of_quantity < 0) of_quantity = given
     end function of_quantity
-
-    ! Fourier coefficients; cosines and sines have one column for each harmonic that is wanted.
-    subroutine solution_node_harmonics(self, node, quantity, mean, cosines, sines, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        integer(c_int32_t), intent(in) :: node, quantity
-        real(c_double), intent(inout) :: mean(:), cosines(:, :), sines(:, :)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (.not. fits('mean', shape(mean), [components(quantity, [3, 9, 4, 6, 6, 6, 6])], stat, errmsg)) return
-        if (.not. fits('cosines', shape(cosines), [size(mean), size(cosines, 2)], stat, errmsg)) return
-        if (.not. fits('sines', shape(sines), shape(cosines), stat, errmsg)) return
-        call report(pdn_solution_node_harmonics(self%c, node, quantity, size(cosines, 2, c_size_t), mean, cosines, &
-            sines), stat, errmsg)
-    end subroutine solution_node_harmonics
-
-    ! Fourier coefficients; cosines and sines have one column for each harmonic that is wanted.
-    subroutine solution_joint_harmonics(self, joint, quantity, detail, mean, cosines, sines, rate, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        integer(c_int32_t), intent(in) :: joint, quantity, detail
-        real(c_double), intent(inout) :: mean(:), cosines(:, :), sines(:, :)
-        real(c_double), intent(inout), optional, contiguous :: rate(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (.not. fits('mean', shape(mean), [components(quantity, [1, 1, 1, 1, 6])], stat, errmsg)) return
-        if (.not. fits('cosines', shape(cosines), [size(mean), size(cosines, 2)], stat, errmsg)) return
-        if (.not. fits('sines', shape(sines), shape(cosines), stat, errmsg)) return
-        if (present(rate)) then
-            if (.not. fits('rate', shape(rate), shape(mean), stat, errmsg)) return
-        end if
-        call report(pdn_solution_joint_harmonics(self%c, joint, quantity, detail, size(cosines, 2, c_size_t), mean, &
-            rate, cosines, sines), stat, errmsg)
-    end subroutine solution_joint_harmonics
-
-    ! Fourier coefficients; cosines and sines have one column for each harmonic that is wanted.
-    subroutine solution_beam_harmonics(self, element, station, quantity, mean, cosines, sines, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        integer(c_int32_t), intent(in) :: element
-        real(c_double), intent(in) :: station
-        integer(c_int32_t), intent(in) :: quantity
-        real(c_double), intent(inout) :: mean(:), cosines(:, :), sines(:, :)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (.not. fits('mean', shape(mean), [6], stat, errmsg)) return
-        if (.not. fits('cosines', shape(cosines), [size(mean), size(cosines, 2)], stat, errmsg)) return
-        if (.not. fits('sines', shape(sines), shape(cosines), stat, errmsg)) return
-        call report(pdn_solution_beam_harmonics(self%c, element, station, quantity, size(cosines, 2, c_size_t), mean, &
-            cosines, sines), stat, errmsg)
-    end subroutine solution_beam_harmonics
-
-    ! Fourier coefficients; cosines and sines have one column for each harmonic that is wanted.
-    subroutine solution_force_harmonics(self, force, quantity, detail, mean, cosines, sines, rate, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        integer(c_int32_t), intent(in) :: force, quantity, detail
-        real(c_double), intent(inout) :: mean(:), cosines(:, :), sines(:, :)
-        real(c_double), intent(inout), optional, contiguous :: rate(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (.not. fits('mean', shape(mean), [components(quantity, [1, 1, 1, 6, 6])], stat, errmsg)) return
-        if (.not. fits('cosines', shape(cosines), [size(mean), size(cosines, 2)], stat, errmsg)) return
-        if (.not. fits('sines', shape(sines), shape(cosines), stat, errmsg)) return
-        if (present(rate)) then
-            if (.not. fits('rate', shape(rate), shape(mean), stat, errmsg)) return
-        end if
-        call report(pdn_solution_force_harmonics(self%c, force, quantity, detail, size(cosines, 2, c_size_t), mean, &
-            rate, cosines, sines), stat, errmsg)
-    end subroutine solution_force_harmonics
 
     ! Whether there is a solution, and it has converged.
     logical function solution_converged(self)
@@ -7942,62 +7273,6 @@ contains
         if (status == PDN_OK) call self%adopt(c, pdn_table_free)
         call report(status, stat, errmsg)
     end subroutine table_new
-
-    subroutine table_add_node(self, solution, node, quantity, label, stat, errmsg)
-        class(pdn_table), intent(inout) :: self
-        type(pdn_solution), intent(in) :: solution
-        integer(c_int32_t), intent(in) :: node, quantity
-        character(*), intent(in), optional :: label
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        character(kind=c_char), allocatable :: name(:)
-
-        if (present(label)) allocate (name, source=c_text(label))
-        call report(pdn_table_add_node(self%c, solution%c, node, quantity, name), stat, errmsg)
-    end subroutine table_add_node
-
-    ! Detail: the coordinate or, for reactions, the axes.
-    subroutine table_add_joint(self, solution, joint, quantity, detail, label, stat, errmsg)
-        class(pdn_table), intent(inout) :: self
-        type(pdn_solution), intent(in) :: solution
-        integer(c_int32_t), intent(in) :: joint, quantity, detail
-        character(*), intent(in), optional :: label
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        character(kind=c_char), allocatable :: name(:)
-
-        if (present(label)) allocate (name, source=c_text(label))
-        call report(pdn_table_add_joint(self%c, solution%c, joint, quantity, detail, name), stat, errmsg)
-    end subroutine table_add_joint
-
-    subroutine table_add_beam(self, solution, element, station, quantity, label, stat, errmsg)
-        class(pdn_table), intent(inout) :: self
-        type(pdn_solution), intent(in) :: solution
-        integer(c_int32_t), intent(in) :: element
-        real(c_double), intent(in) :: station
-        integer(c_int32_t), intent(in) :: quantity
-        character(*), intent(in), optional :: label
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        character(kind=c_char), allocatable :: name(:)
-
-        if (present(label)) allocate (name, source=c_text(label))
-        call report(pdn_table_add_beam(self%c, solution%c, element, station, quantity, name), stat, errmsg)
-    end subroutine table_add_beam
-
-    ! Detail: the branch, or the node; otherwise 0.
-    subroutine table_add_force(self, solution, force, quantity, detail, label, stat, errmsg)
-        class(pdn_table), intent(inout) :: self
-        type(pdn_solution), intent(in) :: solution
-        integer(c_int32_t), intent(in) :: force, quantity, detail
-        character(*), intent(in), optional :: label
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        character(kind=c_char), allocatable :: name(:)
-
-        if (present(label)) allocate (name, source=c_text(label))
-        call report(pdn_table_add_force(self%c, solution%c, force, quantity, detail, name), stat, errmsg)
-    end subroutine table_add_force
 
     ! A quantity, or one of its components.
     subroutine table_add(self, solution, quantity, label, stat, errmsg)

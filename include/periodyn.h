@@ -614,255 +614,146 @@
 #define PDN_FRAME_SECOND 1604
 
 /**
- * Quantity of a node: position, inertial frame; 3 components \[length\].
- */
-#define PDN_NODE_POSITION 2600
-
-/**
- * Quantity of a node: rotation matrix, column by column; 9 components.
- */
-#define PDN_NODE_ROTATION 2601
-
-/**
- * Quantity of a node: unit quaternion (w, x, y, z) of continuous sign; 4 components.
- */
-#define PDN_NODE_QUATERNION 2602
-
-/**
- * Quantity of a node: velocity and angular velocity, inertial frame; 6 components.
- */
-#define PDN_NODE_VELOCITY 2603
-
-/**
- * Quantity of a node: acceleration and angular acceleration, inertial frame; 6 components.
- */
-#define PDN_NODE_ACCELERATION 2604
-
-/**
- * Quantity of a node: velocity and angular velocity along the node's axes; 6 components.
- */
-#define PDN_NODE_MATERIAL_VELOCITY 2605
-
-/**
- * Quantity of a node: time derivative of PDN_NODE_MATERIAL_VELOCITY; 6 components.
- */
-#define PDN_NODE_MATERIAL_ACCELERATION 2606
-
-/**
- * Quantity of a joint: coordinate, angles followed through whole turns; 1 component.
- */
-#define PDN_JOINT_COORDINATE 2700
-
-/**
- * Quantity of a joint: rate of a coordinate; 1 component.
- */
-#define PDN_JOINT_RATE 2701
-
-/**
- * Quantity of a joint: second derivative of a coordinate; 1 component.
- */
-#define PDN_JOINT_ACCELERATION 2702
-
-/**
- * Quantity of a joint: force or torque that drives a prescribed coordinate; 1 component.
- */
-#define PDN_JOINT_DRIVING_EFFORT 2703
-
-/**
- * Quantity of a joint: force and moment on the second body; 6 components.
- */
-#define PDN_JOINT_REACTION 2704
-
-/**
- * Quantity of a beam: strains and curvatures; 6 components.
- */
-#define PDN_BEAM_STRAIN 2800
-
-/**
- * Quantity of a beam: internal forces and moments; 6 components.
- */
-#define PDN_BEAM_FORCE 2801
-
-/**
- * Quantity of a beam: internal forces, at a node between two elements the mean of those of both.
- */
-#define PDN_BEAM_FORCE_MEAN 2802
-
-/**
- * Quantity of a beam: at a node between two elements, internal forces of the one beyond it less
- * those of the one before it; zero elsewhere.
- */
-#define PDN_BEAM_FORCE_JUMP 2803
-
-/**
  * Kind of quantity: position of a node; 3 components \[length\].
  */
-#define PDN_QUANTITY_POSITION 100
+#define PDN_NODE_POSITION 100
 
 /**
  * Kind of quantity: rotation matrix of a node, column by column; 9 components.
  */
-#define PDN_QUANTITY_ROTATION 101
+#define PDN_NODE_ROTATION 101
 
 /**
  * Kind of quantity: unit quaternion (w, x, y, z) of a node, of continuous sign; 4 components.
  */
-#define PDN_QUANTITY_QUATERNION 102
+#define PDN_NODE_QUATERNION 102
 
 /**
  * Kind of quantity: velocity and angular velocity of a node, in a frame; 6 components.
  */
-#define PDN_QUANTITY_VELOCITY 103
+#define PDN_NODE_VELOCITY 103
 
 /**
  * Kind of quantity: acceleration and angular acceleration of a node, in a frame; 6 components.
  */
-#define PDN_QUANTITY_ACCELERATION 104
+#define PDN_NODE_ACCELERATION 104
 
 /**
  * Kind of quantity: a coordinate of a joint, angles followed through whole turns.
  */
-#define PDN_QUANTITY_COORDINATE 200
+#define PDN_JOINT_COORDINATE 200
 
 /**
  * Kind of quantity: rate of a coordinate of a joint.
  */
-#define PDN_QUANTITY_COORDINATE_RATE 201
+#define PDN_JOINT_RATE 201
 
 /**
  * Kind of quantity: second derivative in time of a coordinate of a joint.
  */
-#define PDN_QUANTITY_COORDINATE_ACCELERATION 202
+#define PDN_JOINT_ACCELERATION 202
 
 /**
  * Kind of quantity: force or torque that drives a prescribed coordinate of a joint.
  */
-#define PDN_QUANTITY_DRIVING_EFFORT 203
+#define PDN_JOINT_DRIVING_EFFORT 203
 
 /**
  * Kind of quantity: force and moment of a joint on its second body, along axes; 6 components.
  */
-#define PDN_QUANTITY_REACTION 204
+#define PDN_JOINT_REACTION 204
 
 /**
  * Kind of quantity: strains and curvatures of a beam element; 6 components.
  */
-#define PDN_QUANTITY_STRAIN 300
+#define PDN_BEAM_STRAIN 300
 
 /**
  * Kind of quantity: internal forces and moments of a beam element; 6 components.
  */
-#define PDN_QUANTITY_BEAM_FORCE 301
+#define PDN_BEAM_FORCE 301
 
 /**
  * Kind of quantity: the same, at a node between two elements the mean of those of both.
  */
-#define PDN_QUANTITY_BEAM_FORCE_MEAN 302
+#define PDN_BEAM_FORCE_MEAN 302
 
 /**
  * Kind of quantity: at a node between two elements, internal forces of the one beyond it less
  * those of the one before it; zero elsewhere; 6 components.
  */
-#define PDN_QUANTITY_BEAM_FORCE_JUMP 303
+#define PDN_BEAM_FORCE_JUMP 303
 
 /**
  * Kind of quantity: effort of a force on its joint coordinate.
  */
-#define PDN_QUANTITY_EFFORT 400
+#define PDN_FORCE_EFFORT 400
 
 /**
  * Kind of quantity: effort of a branch of a viscoelastic element.
  */
-#define PDN_QUANTITY_BRANCH_EFFORT 401
+#define PDN_FORCE_BRANCH_EFFORT 401
 
 /**
  * Kind of quantity: elongation of the dashpot of a branch of a viscoelastic element.
  */
-#define PDN_QUANTITY_BRANCH_ELONGATION 402
+#define PDN_FORCE_BRANCH_ELONGATION 402
 
 /**
  * Kind of quantity: what a force exerts on one of its nodes, in a frame: force and moment; 6
  * components.
  */
-#define PDN_QUANTITY_FORCE_ON_NODE 403
+#define PDN_FORCE_ON_NODE 403
 
 /**
  * Kind of quantity: the efforts of a bushing against its deformation, forces along the axes of its
  * first frame and moments; 6 components.
  */
-#define PDN_QUANTITY_BUSHING_EFFORTS 404
+#define PDN_FORCE_BUSHING_EFFORTS 404
 
 /**
  * Kind of quantity: effort of a controller on one of the coordinates that it acts on, towards
  * growth.
  */
-#define PDN_QUANTITY_CONTROL_EFFORT 405
+#define PDN_FORCE_CONTROL_EFFORT 405
 
 /**
  * Kind of quantity: a state of a controller.
  */
-#define PDN_QUANTITY_CONTROL_STATE 406
+#define PDN_FORCE_CONTROL_STATE 406
 
 /**
  * Kind of quantity: strains of a shell element, in the order of ::pdn_shell_section; 12
  * components.
  */
-#define PDN_QUANTITY_SHELL_STRAIN 500
+#define PDN_SHELL_STRAIN 500
 
 /**
  * Kind of quantity: forces and moments of a shell element per unit of reference length, in the
  * same order: N11 N12 Q1 M11 M12 M1n, N21 N22 Q2 M21 M22 M2n; 12 components.
  */
-#define PDN_QUANTITY_SHELL_RESULTANT 501
+#define PDN_SHELL_RESULTANT 501
 
 /**
  * Kind of quantity: stresses 11, 22, 12 at the surface of an isotropic shell that its normal
  * points out of, and von Mises' stress of these \[force / length^2\]; 4 components.
  */
-#define PDN_QUANTITY_STRESS_TOP 502
+#define PDN_SHELL_STRESS_TOP 502
 
 /**
  * Kind of quantity: the same at the other surface; 4 components.
  */
-#define PDN_QUANTITY_STRESS_BOTTOM 503
+#define PDN_SHELL_STRESS_BOTTOM 503
 
 /**
  * Kind of quantity: effort of a linear relation on one of its joint coordinates, towards growth.
  */
-#define PDN_QUANTITY_RELATION_EFFORT 600
+#define PDN_RELATION_EFFORT 600
 
 /**
  * All components of a quantity.
  */
 #define PDN_ALL_COMPONENTS -2
-
-/**
- * Quantity of a force on a joint coordinate: its effort; 1 component.
- */
-#define PDN_FORCE_EFFORT 3000
-
-/**
- * Quantity of a viscoelastic element: effort of one of its branches; 1 component.
- */
-#define PDN_FORCE_BRANCH_EFFORT 3001
-
-/**
- * Quantity of a viscoelastic element: elongation of the dashpot of one of its branches; 1
- * component.
- */
-#define PDN_FORCE_BRANCH_ELONGATION 3002
-
-/**
- * Quantity of a force: force and moment on one of its nodes, along the inertial axes; 6
- * components.
- */
-#define PDN_FORCE_ON_NODE 3003
-
-/**
- * Quantity of a force: force and moment on one of its nodes, along the node's own axes; 6
- * components.
- */
-#define PDN_FORCE_ON_NODE_MATERIAL 3004
 
 /**
  * Spectral filter: Lanczos' factors, (sin(x) / x)^order with x = pi j / (H + 1) for harmonic j of
@@ -2330,7 +2221,7 @@ typedef struct pdn_quantity {
      */
     size_t struct_size;
     /**
-     * PDN_QUANTITY_POSITION, ...; there is no default.
+     * PDN_NODE_POSITION, ...; there is no default.
      */
     int32_t kind;
     /**
@@ -4413,7 +4304,7 @@ pdn_status pdn_model_relation_count(const struct pdn_model *model,
  * coordinates[i] of joint joints[i], whole turns counted. Gears that turn q1 by n q2 have
  * coefficients 1 and -n, a rack on a pinion of radius r 1 and -r, a differential 1, 1 and -2. It
  * exerts an effort on each of the coordinates, in proportion to the coefficients:
- * PDN_QUANTITY_RELATION_EFFORT. Where angles that are prescribed turn on and on, those that they
+ * PDN_RELATION_EFFORT. Where angles that are prescribed turn on and on, those that they
  * turn by relations must gain whole turns in a period as well; a solve refuses others with
  * PDN_ERR_NOT_PERIODIC, and tells a period that would do.
  *
@@ -6152,430 +6043,6 @@ pdn_status pdn_solution_grid_times(const struct pdn_solution *solution,
                                    size_t count);
 
 /**
- * Position of a node at any times.
- *
- * Interpolated over the whole period by dual polar decomposition: to rounding at the grid points.
- *
- * @param solution  the solution; not NULL
- * @param node  id of the node
- * @param times  array of length [count]: times, also outside the first period
- * @param count  number of times
- * @param out  array of shape 3 x [count], coordinates of each time together, inertial frame
- *     \[length\]
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_GRID_TOO_COARSE,
- *     PDN_ERR_OVERFLOW
- *
- * Threads: like `const`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_solution_node_position(const struct pdn_solution *solution,
-                                      int32_t node,
-                                      const double *times,
-                                      size_t count,
-                                      double *out);
-
-/**
- * Rotation matrix of a node at any times.
- *
- * @param solution  the solution; not NULL
- * @param node  id of the node
- * @param times  array of length [count]: times, also outside the first period
- * @param count  number of times
- * @param out  array of shape 9 x [count]: of each time the three columns, which are the node's
- *     axes in the inertial frame
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_GRID_TOO_COARSE,
- *     PDN_ERR_OVERFLOW
- *
- * Threads: like `const`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_solution_node_rotation(const struct pdn_solution *solution,
-                                      int32_t node,
-                                      const double *times,
-                                      size_t count,
-                                      double *out);
-
-/**
- * Unit quaternion of a node at any times.
- *
- * @param solution  the solution; not NULL
- * @param node  id of the node
- * @param times  array of length [count]: times, also outside the first period
- * @param count  number of times
- * @param out  array of shape 4 x [count]: (w, x, y, z) of each time, from the inertial to the
- *     node's frame; w is not negative at the first time, and the sign is continuous from one time
- *     to the next
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_GRID_TOO_COARSE,
- *     PDN_ERR_OVERFLOW
- *
- * Threads: like `const`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_solution_node_quaternion(const struct pdn_solution *solution,
-                                        int32_t node,
-                                        const double *times,
-                                        size_t count,
-                                        double *out);
-
-/**
- * Velocity of a node at any times.
- *
- * @param solution  the solution; not NULL
- * @param node  id of the node
- * @param frame  PDN_FRAME_SPACE: velocity of the node and angular velocity along the inertial
- *     axes; PDN_FRAME_MATERIAL: along the node's own
- * @param times  array of length [count]: times, also outside the first period
- * @param count  number of times
- * @param out  array of shape 6 x [count]: linear, then angular velocity of each time
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
- *     PDN_ERR_GRID_TOO_COARSE,
- *     PDN_ERR_OVERFLOW
- *
- * Threads: like `const`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_solution_node_velocity(const struct pdn_solution *solution,
-                                      int32_t node,
-                                      int32_t frame,
-                                      const double *times,
-                                      size_t count,
-                                      double *out);
-
-/**
- * Acceleration of a node at any times.
- *
- * @param solution  the solution; not NULL
- * @param node  id of the node
- * @param frame  PDN_FRAME_SPACE: acceleration of the node and angular acceleration along the
- *     inertial axes; PDN_FRAME_MATERIAL: time derivative of the velocity along the node's own axes
- * @param times  array of length [count]: times, also outside the first period
- * @param count  number of times
- * @param out  array of shape 6 x [count]: linear, then angular acceleration of each time
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
- *     PDN_ERR_GRID_TOO_COARSE,
- *     PDN_ERR_OVERFLOW
- *
- * Threads: like `const`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_solution_node_acceleration(const struct pdn_solution *solution,
-                                          int32_t node,
-                                          int32_t frame,
-                                          const double *times,
-                                          size_t count,
-                                          double *out);
-
-/**
- * Joint coordinate at any times: a displacement, or an angle, followed continuously through whole
- * turns.
- *
- * @param solution  the solution; not NULL
- * @param joint  id of the joint
- * @param coordinate  PDN_DISPLACEMENT ... PDN_ROTATION_3; see the joint
- * @param times  array of length [count]: times, also outside the first period
- * @param count  number of times
- * @param out  array of length [count] \[length, or rad\]
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
- *     PDN_ERR_NOT_AVAILABLE (the joint has no such coordinate),
- *     PDN_ERR_OVERFLOW
- *
- * Threads: like `const`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_solution_joint_coordinate(const struct pdn_solution *solution,
-                                         int32_t joint,
-                                         int32_t coordinate,
-                                         const double *times,
-                                         size_t count,
-                                         double *out);
-
-/**
- * Rate of a joint coordinate at any times.
- *
- * @param solution  the solution; not NULL
- * @param joint  id of the joint
- * @param coordinate  PDN_DISPLACEMENT ... PDN_ROTATION_3; see the joint
- * @param times  array of length [count]: times, also outside the first period
- * @param count  number of times
- * @param out  array of length [count] \[length or rad per unit of time\]
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
- *     PDN_ERR_NOT_AVAILABLE (the joint has no such coordinate),
- *     PDN_ERR_OVERFLOW
- *
- * Threads: like `const`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_solution_joint_rate(const struct pdn_solution *solution,
-                                   int32_t joint,
-                                   int32_t coordinate,
-                                   const double *times,
-                                   size_t count,
-                                   double *out);
-
-/**
- * Second derivative in time of a joint coordinate at any times.
- *
- * @param solution  the solution; not NULL
- * @param joint  id of the joint
- * @param coordinate  PDN_DISPLACEMENT ... PDN_ROTATION_3; see the joint
- * @param times  array of length [count]: times, also outside the first period
- * @param count  number of times
- * @param out  array of length [count] \[length or rad per unit of time squared\]
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
- *     PDN_ERR_NOT_AVAILABLE (the joint has no such coordinate),
- *     PDN_ERR_OVERFLOW
- *
- * Threads: like `const`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_solution_joint_acceleration(const struct pdn_solution *solution,
-                                           int32_t joint,
-                                           int32_t coordinate,
-                                           const double *times,
-                                           size_t count,
-                                           double *out);
-
-/**
- * Force or torque that drives a prescribed coordinate, at any times.
- *
- * It acts on the second body, and its reaction on the first; positive where it does work on a
- * growing coordinate. Interpolated from the multipliers at the grid points.
- *
- * @param solution  the solution; not NULL
- * @param joint  id of the joint
- * @param coordinate  the prescribed coordinate, as given to ::pdn_model_prescribe
- * @param times  array of length [count]: times, also outside the first period
- * @param count  number of times
- * @param out  array of length [count] \[force, or force x length\]
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
- *     PDN_ERR_NOT_AVAILABLE (no such coordinate, or it is not prescribed),
- *     PDN_ERR_OVERFLOW
- *
- * Threads: like `const`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_solution_joint_driving_effort(const struct pdn_solution *solution,
-                                             int32_t joint,
-                                             int32_t coordinate,
-                                             const double *times,
-                                             size_t count,
-                                             double *out);
-
-/**
- * Reaction of a joint at any times: what its constraints exert on the second body.
- *
- * Force, and moment about the origin of the joint frame on the second body. Springs, dampers and
- * the drives of prescribed coordinates are not part of it.
- *
- * @param solution  the solution; not NULL
- * @param joint  id of the joint
- * @param axes  PDN_FRAME_SPACE, PDN_FRAME_FIRST or PDN_FRAME_SECOND: axes of the components
- * @param times  array of length [count]: times, also outside the first period
- * @param count  number of times
- * @param out  array of shape 6 x [count]: force, then moment of each time
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
- *     PDN_ERR_OVERFLOW
- *
- * Threads: like `const`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_solution_joint_reaction(const struct pdn_solution *solution,
-                                       int32_t joint,
-                                       int32_t axes,
-                                       const double *times,
-                                       size_t count,
-                                       double *out);
-
-/**
- * Strains of a beam element at a station and any times.
- *
- * Per unit of reference length, along the section's axes: axial and two shear strains, twist and
- * two curvatures. Along the element they are the polynomial through those at its Gauss points; in
- * time they are interpolated from their values at the grid points.
- *
- * @param solution  the solution; not NULL
- * @param element  id of the beam element
- * @param station  place along the element, from -1 at its first to 1 at its last node
- * @param times  array of length [count]: times, also outside the first period
- * @param count  number of times
- * @param out  array of shape 6 x [count]
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
- *     PDN_ERR_OVERFLOW
- *
- * Threads: like `const`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_solution_beam_strain(const struct pdn_solution *solution,
-                                    int32_t element,
-                                    double station,
-                                    const double *times,
-                                    size_t count,
-                                    double *out);
-
-/**
- * Internal forces of a beam element at a station and any times.
- *
- * Along the section's axes: axial force and two shear forces, torque and two bending moments,
- * exerted by the part beyond the station. They are the polynomial through those at the element's
- * Gauss points (one fewer than nodes), where they are most accurate. At its ends, as all along,
- * errors fall with the power n - 1 of the element's length, for n nodes. At a node, each of two
- * elements has its own: their difference tells how fine the mesh is.
- *
- * @param solution  the solution; not NULL
- * @param element  id of the beam element
- * @param station  place along the element, from -1 at its first to 1 at its last node
- * @param times  array of length [count]: times, also outside the first period
- * @param count  number of times
- * @param out  array of shape 6 x [count]
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
- *     PDN_ERR_OVERFLOW
- *
- * Threads: like `const`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_solution_beam_force(const struct pdn_solution *solution,
-                                   int32_t element,
-                                   double station,
-                                   const double *times,
-                                   size_t count,
-                                   double *out);
-
-/**
- * Internal forces of a beam at a node between two of its elements: the mean of those of both, and
- * how much they jump.
- *
- * At any other station they are those of ::pdn_solution_beam_force, and do not jump. Two elements
- * have a node between them if one ends and the other starts there, and nothing else is at the
- * node: no other element, no body, joint, load or force, whose own jump a mean would hide. Errors
- * of the mean fall, between elements of an odd degree and equal length, with a power of their
- * length that is higher by one.
- *
- * @param solution  the solution; not NULL
- * @param element  id of the beam element
- * @param station  place along the element, from -1 at its first to 1 at its last node
- * @param times  array of length [count]: times, also outside the first period
- * @param count  number of times
- * @param mean  array of shape 6 x [count]; may be NULL
- * @param jump  array of shape 6 x [count]: of the element beyond the node less those of the one
- *     before it; may be NULL
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
- *     PDN_ERR_OVERFLOW
- *
- * Threads: like `const`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_solution_beam_force_between(const struct pdn_solution *solution,
-                                           int32_t element,
-                                           double station,
-                                           const double *times,
-                                           size_t count,
-                                           double *mean,
-                                           double *jump);
-
-/**
- * Fourier coefficients of a node's quantity: mean + sum of cosines[j] cos jwt + sines[j] sin jwt.
- *
- * Those of the trigonometric polynomial through the values at the grid points.
- *
- * @param solution  the solution; not NULL
- * @param node  id of the node
- * @param quantity  PDN_NODE_POSITION, ...; it has C components
- * @param harmonics  number of harmonics wanted; those above (N - 1) / 2 are zero
- * @param mean  array of length C; may be NULL
- * @param cosines  array of shape C x [harmonics], components of each harmonic together; may be
- *     NULL
- * @param sines  as cosines; may be NULL
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
- *     PDN_ERR_NOT_AVAILABLE (the quaternion of a node that makes an odd number of turns),
- *     PDN_ERR_OVERFLOW
- *
- * Threads: like `const`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_solution_node_harmonics(const struct pdn_solution *solution,
-                                       int32_t node,
-                                       int32_t quantity,
-                                       size_t harmonics,
-                                       double *mean,
-                                       double *cosines,
-                                       double *sines);
-
-/**
- * Fourier coefficients of a joint's quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j]
- * sin jwt.
- *
- * @param solution  the solution; not NULL
- * @param joint  id of the joint
- * @param quantity  PDN_JOINT_COORDINATE, ...; it has C components
- * @param detail  the coordinate (PDN_DISPLACEMENT, ...) or, for PDN_JOINT_REACTION, the axes
- *     (PDN_FRAME_SPACE, ...)
- * @param harmonics  number of harmonics wanted; those above (N - 1) / 2 are zero
- * @param mean  array of length C; may be NULL
- * @param rate  array of length C: growth per unit of time, of an angle that gains turns; may be
- *     NULL
- * @param cosines  array of shape C x [harmonics], components of each harmonic together; may be
- *     NULL
- * @param sines  as cosines; may be NULL
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE,
- *     PDN_ERR_OVERFLOW
- *
- * Threads: like `const`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_solution_joint_harmonics(const struct pdn_solution *solution,
-                                        int32_t joint,
-                                        int32_t quantity,
-                                        int32_t detail,
-                                        size_t harmonics,
-                                        double *mean,
-                                        double *rate,
-                                        double *cosines,
-                                        double *sines);
-
-/**
- * Fourier coefficients of strains or internal forces of a beam element at a station.
- *
- * @param solution  the solution; not NULL
- * @param element  id of the beam element
- * @param station  place along the element, from -1 at its first to 1 at its last node
- * @param quantity  PDN_BEAM_STRAIN, PDN_BEAM_FORCE, PDN_BEAM_FORCE_MEAN or PDN_BEAM_FORCE_JUMP
- * @param harmonics  number of harmonics wanted; those above (N - 1) / 2 are zero
- * @param mean  array of length 6; may be NULL
- * @param cosines  array of shape 6 x [harmonics], components of each harmonic together; may be
- *     NULL
- * @param sines  as cosines; may be NULL
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
- *     PDN_ERR_OVERFLOW
- *
- * Threads: like `const`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_solution_beam_harmonics(const struct pdn_solution *solution,
-                                       int32_t element,
-                                       double station,
-                                       int32_t quantity,
-                                       size_t harmonics,
-                                       double *mean,
-                                       double *cosines,
-                                       double *sines);
-
-/**
  * Prepares a struct that tells a quantity; use `PDN_INIT(pdn_quantity, &quantity)`.
  *
  * @param quantity  the struct; not NULL
@@ -6619,11 +6086,11 @@ int32_t pdn_quantity_components(const struct pdn_quantity *quantity);
  * @since 0.1
  */
 PDN_API
-pdn_status pdn_solution_sample_quantity(const struct pdn_solution *solution,
-                                        const struct pdn_quantity *quantity,
-                                        const double *times,
-                                        size_t count,
-                                        double *out);
+pdn_status pdn_solution_sample(const struct pdn_solution *solution,
+                               const struct pdn_quantity *quantity,
+                               const double *times,
+                               size_t count,
+                               double *out);
 
 /**
  * Fourier coefficients of a quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j] sin
@@ -6647,13 +6114,13 @@ pdn_status pdn_solution_sample_quantity(const struct pdn_solution *solution,
  * @since 0.1
  */
 PDN_API
-pdn_status pdn_solution_quantity_harmonics(const struct pdn_solution *solution,
-                                           const struct pdn_quantity *quantity,
-                                           size_t harmonics,
-                                           double *mean,
-                                           double *rate,
-                                           double *cosines,
-                                           double *sines);
+pdn_status pdn_solution_harmonics(const struct pdn_solution *solution,
+                                  const struct pdn_quantity *quantity,
+                                  size_t harmonics,
+                                  double *mean,
+                                  double *rate,
+                                  double *cosines,
+                                  double *sines);
 
 /**
  * Smallest and largest values of a quantity, and their times.
@@ -6674,12 +6141,12 @@ pdn_status pdn_solution_quantity_harmonics(const struct pdn_solution *solution,
  * @since 0.1
  */
 PDN_API
-pdn_status pdn_solution_quantity_extremes(const struct pdn_solution *solution,
-                                          const struct pdn_quantity *quantity,
-                                          double *smallest,
-                                          double *time_of_smallest,
-                                          double *largest,
-                                          double *time_of_largest);
+pdn_status pdn_solution_extremes(const struct pdn_solution *solution,
+                                 const struct pdn_quantity *quantity,
+                                 double *smallest,
+                                 double *time_of_smallest,
+                                 double *largest,
+                                 double *time_of_largest);
 
 /**
  * Adds the columns of a quantity of a solution, named by the label and the component; or that of
@@ -6702,143 +6169,6 @@ pdn_status pdn_table_add_quantity(struct pdn_table *table,
                                   const struct pdn_solution *solution,
                                   const struct pdn_quantity *quantity,
                                   const char *label);
-
-/**
- * Effort of a force on a joint coordinate, at any times.
- *
- * The effort of an actuator is positive where it acts towards growth of the coordinate; that of
- * all others (springs, dampers, viscoelastic elements, the user's laws) where it acts against.
- * Interpolated from its values at the grid points.
- *
- * @param solution  the solution; not NULL
- * @param force  id of the force
- * @param times  array of length [count]: times, also outside the first period
- * @param count  number of times
- * @param out  array of length [count] \[force on a displacement, force x length on an angle\]
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_NOT_AVAILABLE (the force
- *     is not on a joint coordinate), PDN_ERR_OVERFLOW
- *
- * Threads: like `const`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_solution_force_effort(const struct pdn_solution *solution,
-                                     int32_t force,
-                                     const double *times,
-                                     size_t count,
-                                     double *out);
-
-/**
- * Effort of one branch of a viscoelastic element, at any times: positive against growth.
- *
- * @param solution  the solution; not NULL
- * @param force  id of the viscoelastic element
- * @param branch  number of the branch, from 0, in the order they were given
- * @param times  array of length [count]: times, also outside the first period
- * @param count  number of times
- * @param out  array of length [count] \[force on a displacement, force x length on an angle\]
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_NOT_AVAILABLE (there is no
- *     such branch), PDN_ERR_OVERFLOW
- *
- * Threads: like `const`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_solution_force_branch_effort(const struct pdn_solution *solution,
-                                            int32_t force,
-                                            int32_t branch,
-                                            const double *times,
-                                            size_t count,
-                                            double *out);
-
-/**
- * Elongation of the dashpot of one branch of a viscoelastic element, at any times: its internal
- * state.
- *
- * The branch's spring is elongated by the coordinate less this.
- *
- * @param solution  the solution; not NULL
- * @param force  id of the viscoelastic element
- * @param branch  number of the branch, from 0, in the order they were given
- * @param times  array of length [count]: times, also outside the first period
- * @param count  number of times
- * @param out  array of length [count] \[length or radian\]
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_NOT_AVAILABLE (there is no
- *     such branch), PDN_ERR_OVERFLOW
- *
- * Threads: like `const`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_solution_force_branch_elongation(const struct pdn_solution *solution,
-                                                int32_t force,
-                                                int32_t branch,
-                                                const double *times,
-                                                size_t count,
-                                                double *out);
-
-/**
- * What a force exerts on one of its nodes, at any times: force, and moment about the node.
- *
- * Interpolated from its values at the grid points. For forces of all kinds: those on a joint
- * coordinate act on the nodes of the joint.
- *
- * @param solution  the solution; not NULL
- * @param force  id of the force
- * @param node  id of a node that it acts on
- * @param frame  PDN_FRAME_SPACE: components along the inertial axes; PDN_FRAME_MATERIAL: along the
- *     node's own
- * @param times  array of length [count]: times, also outside the first period
- * @param count  number of times
- * @param out  array of shape 6 x [count]: force, then moment of each time
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
- *     PDN_ERR_NOT_AVAILABLE (it does not act on the node), PDN_ERR_OVERFLOW
- *
- * Threads: like `const`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_solution_force_on_node(const struct pdn_solution *solution,
-                                      int32_t force,
-                                      int32_t node,
-                                      int32_t frame,
-                                      const double *times,
-                                      size_t count,
-                                      double *out);
-
-/**
- * Fourier coefficients of a force's quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j]
- * sin jwt.
- *
- * Those of the trigonometric polynomial through the values at the grid points.
- *
- * @param solution  the solution; not NULL
- * @param force  id of the force
- * @param quantity  PDN_FORCE_EFFORT, ...; it has C components
- * @param detail  the branch (PDN_FORCE_BRANCH_...) or the node (PDN_FORCE_ON_NODE...); otherwise 0
- * @param harmonics  number of harmonics wanted; those above (N - 1) / 2 are zero
- * @param mean  array of length C; may be NULL
- * @param rate  array of length C: growth per unit of time, of a dashpot that gains turns; may be
- *     NULL
- * @param cosines  array of shape C x [harmonics], components of each harmonic together; may be
- *     NULL
- * @param sines  as cosines; may be NULL
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE,
- *     PDN_ERR_OVERFLOW
- *
- * Threads: like `const`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_solution_force_harmonics(const struct pdn_solution *solution,
-                                        int32_t force,
-                                        int32_t quantity,
-                                        int32_t detail,
-                                        size_t harmonics,
-                                        double *mean,
-                                        double *rate,
-                                        double *cosines,
-                                        double *sines);
 
 /**
  * A copy of a solution whose quantities are seen through a spectral filter.
@@ -9401,109 +8731,6 @@ PDN_API
 void pdn_table_free(struct pdn_table *table);
 
 /**
- * Adds the columns of a quantity of a node, named by the label and the component.
- *
- * Components are x, y, z (position, and along the inertial axes), 1, 2, 3 (along the node's own),
- * 11, 21, 31, 12, ... (rotation matrix, row and column), w, x, y, z (quaternion); angular_x, ...
- * of velocities and accelerations.
- *
- * @param table  the table; not NULL
- * @param solution  the solution; not NULL
- * @param node  id of the node
- * @param quantity  PDN_NODE_POSITION, ...; one column for each component
- * @param label  columns are called `label.x` and so on; NULL for a name such as `node3.position`
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE (no such quantity; a name that a column
- *     has already), PDN_ERR_GRID_TOO_COARSE, PDN_ERR_OVERFLOW
- *
- * Threads: exclusive use of `table`; like `const` of `solution`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_table_add_node(struct pdn_table *table,
-                              const struct pdn_solution *solution,
-                              int32_t node,
-                              int32_t quantity,
-                              const char *label);
-
-/**
- * Adds the columns of a quantity of a joint: one of that name or, for reactions, six with
- * components force_x, ..., moment_x, ... (force_1, ... along joint frames).
- *
- * @param table  the table; not NULL
- * @param solution  the solution; not NULL
- * @param joint  id of the joint
- * @param quantity  PDN_JOINT_COORDINATE, ...
- * @param detail  the coordinate (PDN_DISPLACEMENT, ...) or, for PDN_JOINT_REACTION, the axes
- *     (PDN_FRAME_SPACE, ...)
- * @param label  name of the column or, followed by a dot and the component, of the columns; NULL
- *     for a name such as `joint2.rotation_1.rate`
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE (no such quantity; a name that a column
- *     has already), PDN_ERR_NOT_AVAILABLE, PDN_ERR_OVERFLOW
- *
- * Threads: exclusive use of `table`; like `const` of `solution`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_table_add_joint(struct pdn_table *table,
-                               const struct pdn_solution *solution,
-                               int32_t joint,
-                               int32_t quantity,
-                               int32_t detail,
-                               const char *label);
-
-/**
- * Adds the six columns of strains or internal forces of a beam element at a station.
- *
- * Components are axial, shear_2, shear_3, and twist, curvature_2, curvature_3 of strains or
- * torque, bending_2, bending_3 of forces.
- *
- * @param table  the table; not NULL
- * @param solution  the solution; not NULL
- * @param element  id of the beam element
- * @param station  place along the element, from -1 at its first to 1 at its last node
- * @param quantity  PDN_BEAM_STRAIN, PDN_BEAM_FORCE, PDN_BEAM_FORCE_MEAN or PDN_BEAM_FORCE_JUMP
- * @param label  columns are called `label.axial` and so on; NULL for a name such as
- *     `beam4(0.5).force`
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE (no such quantity or
- *     station; a name that a column has already), PDN_ERR_OVERFLOW
- *
- * Threads: exclusive use of `table`; like `const` of `solution`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_table_add_beam(struct pdn_table *table,
-                              const struct pdn_solution *solution,
-                              int32_t element,
-                              double station,
-                              int32_t quantity,
-                              const char *label);
-
-/**
- * Adds the columns of a quantity of a force: one of that name or, for what it exerts on a node,
- * six with components force_x, ..., moment_x, ... (force_1, ... along the node's own axes).
- *
- * @param table  the table; not NULL
- * @param solution  the solution; not NULL
- * @param force  id of the force
- * @param quantity  PDN_FORCE_EFFORT, ...
- * @param detail  the branch (PDN_FORCE_BRANCH_...) or the node (PDN_FORCE_ON_NODE...); otherwise 0
- * @param label  name of the column or, followed by a dot and the component, of the columns; NULL
- *     for a name such as `force1.effort`
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE (no such quantity; a name that a column
- *     has already), PDN_ERR_NOT_AVAILABLE, PDN_ERR_OVERFLOW
- *
- * Threads: exclusive use of `table`; like `const` of `solution`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_table_add_force(struct pdn_table *table,
-                               const struct pdn_solution *solution,
-                               int32_t force,
-                               int32_t quantity,
-                               int32_t detail,
-                               const char *label);
-
-/**
  * Adds a column of values of your own, such as one computed from several quantities.
  *
  * @param table  the table; not NULL
@@ -9692,3 +8919,31 @@ pdn_status pdn_model_load(const char *path,
 #endif  // __cplusplus
 
 #endif  /* PERIODYN_H */
+
+#ifndef PERIODYN_H_INLINE
+/** @cond */
+#define PERIODYN_H_INLINE
+/** @endcond */
+/**
+ * What is asked of a solution: a kind of quantity of an object, one of its components (or coordinate
+ * of a joint) or PDN_ALL_COMPONENTS. Other fields may be set then.
+ */
+static inline pdn_quantity pdn_quantity_of(int32_t kind, int32_t object, int32_t component)
+{
+    pdn_quantity quantity;
+    PDN_INIT(pdn_quantity, &quantity);
+    quantity.kind = kind;
+    quantity.object = object;
+    quantity.component = component;
+    return quantity;
+}
+
+#ifndef __cplusplus
+/**
+ * A pointer to the same, valid in the block where it stands: for calls that need no other fields.
+ */
+#define PDN_QUANTITY(kind, object, component) \
+    ((const pdn_quantity[]){pdn_quantity_of((kind), (object), (component))})
+#endif
+
+#endif  /* PERIODYN_H_INLINE */

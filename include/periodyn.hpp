@@ -360,62 +360,34 @@ enum class TimeMap : std::int32_t {
     equispaced = PDN_TIME_MAP_EQUISPACED,
     events = PDN_TIME_MAP_EVENTS,
 };
-enum class NodeQuantity : std::int32_t {
+/** Kinds of quantities that are asked of solutions. */
+enum class Kind : std::int32_t {
     position = PDN_NODE_POSITION,
     rotation = PDN_NODE_ROTATION,
     quaternion = PDN_NODE_QUATERNION,
     velocity = PDN_NODE_VELOCITY,
     acceleration = PDN_NODE_ACCELERATION,
-    material_velocity = PDN_NODE_MATERIAL_VELOCITY,
-    material_acceleration = PDN_NODE_MATERIAL_ACCELERATION,
-};
-enum class Kind : std::int32_t {
-    position = PDN_QUANTITY_POSITION,
-    rotation = PDN_QUANTITY_ROTATION,
-    quaternion = PDN_QUANTITY_QUATERNION,
-    velocity = PDN_QUANTITY_VELOCITY,
-    acceleration = PDN_QUANTITY_ACCELERATION,
-    coordinate = PDN_QUANTITY_COORDINATE,
-    coordinate_rate = PDN_QUANTITY_COORDINATE_RATE,
-    coordinate_acceleration = PDN_QUANTITY_COORDINATE_ACCELERATION,
-    driving_effort = PDN_QUANTITY_DRIVING_EFFORT,
-    reaction = PDN_QUANTITY_REACTION,
-    strain = PDN_QUANTITY_STRAIN,
-    beam_force = PDN_QUANTITY_BEAM_FORCE,
-    beam_force_mean = PDN_QUANTITY_BEAM_FORCE_MEAN,
-    beam_force_jump = PDN_QUANTITY_BEAM_FORCE_JUMP,
-    effort = PDN_QUANTITY_EFFORT,
-    branch_effort = PDN_QUANTITY_BRANCH_EFFORT,
-    branch_elongation = PDN_QUANTITY_BRANCH_ELONGATION,
-    force_on_node = PDN_QUANTITY_FORCE_ON_NODE,
-    bushing_efforts = PDN_QUANTITY_BUSHING_EFFORTS,
-    control_effort = PDN_QUANTITY_CONTROL_EFFORT,
-    control_state = PDN_QUANTITY_CONTROL_STATE,
-    relation_effort = PDN_QUANTITY_RELATION_EFFORT,
-    shell_strain = PDN_QUANTITY_SHELL_STRAIN,
-    shell_resultant = PDN_QUANTITY_SHELL_RESULTANT,
-    stress_top = PDN_QUANTITY_STRESS_TOP,
-    stress_bottom = PDN_QUANTITY_STRESS_BOTTOM,
-};
-enum class JointQuantity : std::int32_t {
     coordinate = PDN_JOINT_COORDINATE,
-    rate = PDN_JOINT_RATE,
-    acceleration = PDN_JOINT_ACCELERATION,
+    coordinate_rate = PDN_JOINT_RATE,
+    coordinate_acceleration = PDN_JOINT_ACCELERATION,
     driving_effort = PDN_JOINT_DRIVING_EFFORT,
     reaction = PDN_JOINT_REACTION,
-};
-enum class BeamQuantity : std::int32_t {
     strain = PDN_BEAM_STRAIN,
-    force = PDN_BEAM_FORCE,
-    force_mean = PDN_BEAM_FORCE_MEAN,
-    force_jump = PDN_BEAM_FORCE_JUMP,
-};
-enum class ForceQuantity : std::int32_t {
+    beam_force = PDN_BEAM_FORCE,
+    beam_force_mean = PDN_BEAM_FORCE_MEAN,
+    beam_force_jump = PDN_BEAM_FORCE_JUMP,
     effort = PDN_FORCE_EFFORT,
     branch_effort = PDN_FORCE_BRANCH_EFFORT,
     branch_elongation = PDN_FORCE_BRANCH_ELONGATION,
-    on_node = PDN_FORCE_ON_NODE,
-    on_node_material = PDN_FORCE_ON_NODE_MATERIAL,
+    force_on_node = PDN_FORCE_ON_NODE,
+    bushing_efforts = PDN_FORCE_BUSHING_EFFORTS,
+    control_effort = PDN_FORCE_CONTROL_EFFORT,
+    control_state = PDN_FORCE_CONTROL_STATE,
+    relation_effort = PDN_RELATION_EFFORT,
+    shell_strain = PDN_SHELL_STRAIN,
+    shell_resultant = PDN_SHELL_RESULTANT,
+    stress_top = PDN_SHELL_STRESS_TOP,
+    stress_bottom = PDN_SHELL_STRESS_BOTTOM,
 };
 ///@}
 
@@ -2219,6 +2191,41 @@ struct Quantity : pdn_quantity {
             direction[i] = axis_1[i];
         }
     }
+    /** Along other axes: of velocities, accelerations and what a force exerts on a node. */
+    Quantity in(Frame of_motion) const
+    {
+        Quantity other(*this);
+        other.frame = detail::c(of_motion);
+        return other;
+    }
+    /** Along other axes: of reactions. */
+    Quantity in(Axes of_reaction) const
+    {
+        Quantity other(*this);
+        other.frame = detail::c(of_reaction);
+        return other;
+    }
+    /** At a place along a beam element, from -1 to 1. */
+    Quantity at(double along) const
+    {
+        Quantity other(*this);
+        other.station = along;
+        return other;
+    }
+    /** On this node: of what a force exerts. */
+    Quantity on(std::int32_t of_node) const
+    {
+        Quantity other(*this);
+        other.node = of_node;
+        return other;
+    }
+    /** Of this branch of a viscoelastic element; of controllers, of this coordinate or state. */
+    Quantity of_branch(std::int32_t which) const
+    {
+        Quantity other(*this);
+        other.branch = which;
+        return other;
+    }
     /** Whether all components are asked for. */
     bool is_whole() const noexcept
     {
@@ -2358,147 +2365,55 @@ class Solution
     }
     ///@}
 
-    /** @name Nodes, at any times */
+    /** @name Quantities */
     ///@{
-    Series<3> node_position(Id node, Reals times) const
-    {
-        return sample<3>(pdn_solution_node_position, times, node);
-    }
-    Series<9> node_rotation(Id node, Reals times) const
-    {
-        return sample<9>(pdn_solution_node_rotation, times, node);
-    }
-    Series<4> node_quaternion(Id node, Reals times) const
-    {
-        return sample<4>(pdn_solution_node_quaternion, times, node);
-    }
-    Series<6> node_velocity(Id node, Frame frame, Reals times) const
-    {
-        return sample<6>(pdn_solution_node_velocity, times, node, detail::c(frame));
-    }
-    Series<6> node_acceleration(Id node, Frame frame, Reals times) const
-    {
-        return sample<6>(pdn_solution_node_acceleration, times, node, detail::c(frame));
-    }
-    ///@}
-
-    /** @name Joints, at any times */
-    ///@{
-    std::vector<double> joint_coordinate(Id joint, Coordinate coordinate, Reals times) const
-    {
-        return sample(pdn_solution_joint_coordinate, times, joint, detail::c(coordinate));
-    }
-    std::vector<double> joint_rate(Id joint, Coordinate coordinate, Reals times) const
-    {
-        return sample(pdn_solution_joint_rate, times, joint, detail::c(coordinate));
-    }
-    std::vector<double> joint_acceleration(Id joint, Coordinate coordinate, Reals times) const
-    {
-        return sample(pdn_solution_joint_acceleration, times, joint, detail::c(coordinate));
-    }
-    std::vector<double> joint_driving_effort(Id joint, Coordinate coordinate, Reals times) const
-    {
-        return sample(pdn_solution_joint_driving_effort, times, joint, detail::c(coordinate));
-    }
-    Series<6> joint_reaction(Id joint, Axes axes, Reals times) const
-    {
-        return sample<6>(pdn_solution_joint_reaction, times, joint, detail::c(axes));
-    }
-    ///@}
-
-    /** @name Beams at a station from -1 to 1 of an element, and any times */
-    ///@{
-    Series<6> beam_strain(Id element, double station, Reals times) const
-    {
-        return sample<6>(pdn_solution_beam_strain, times, element, station);
-    }
-    Series<6> beam_force(Id element, double station, Reals times) const
-    {
-        return sample<6>(pdn_solution_beam_force, times, element, station);
-    }
-    /** Between two elements: the mean of both, and how much they jump. */
-    std::pair<Series<6>, Series<6>> beam_force_between(Id element, double station,
-                                                       Reals times) const
-    {
-        std::pair<Series<6>, Series<6>> found{Series<6>(times.size()), Series<6>(times.size())};
-        detail::check(pdn_solution_beam_force_between(get(), element, station, times.data(),
-                                                      times.size(), found.first.data()->data(),
-                                                      found.second.data()->data()));
-        return found;
-    }
-    ///@}
-
-    /** @name Forces, at any times */
-    ///@{
-    std::vector<double> force_effort(Id force, Reals times) const
-    {
-        return sample(pdn_solution_force_effort, times, force);
-    }
-    std::vector<double> force_branch_effort(Id force, Id branch, Reals times) const
-    {
-        return sample(pdn_solution_force_branch_effort, times, force, branch);
-    }
-    std::vector<double> force_branch_elongation(Id force, Id branch, Reals times) const
-    {
-        return sample(pdn_solution_force_branch_elongation, times, force, branch);
-    }
-    Series<6> force_on_node(Id force, Id node, Frame frame, Reals times) const
-    {
-        return sample<6>(pdn_solution_force_on_node, times, force, node, detail::c(frame));
-    }
-    ///@}
-
-    /** @name Harmonics */
-    ///@{
-    /** Values of a quantity, components of each time together. */
+    /** Values of a quantity at any times, components of each time together. */
     std::vector<double> sample(const Quantity &quantity, Reals times) const
     {
         std::vector<double> out(quantity.components() * times.size());
-        detail::check(pdn_solution_sample_quantity(get(), &quantity, times.data(), times.size(),
-                                                   out.data()));
+        detail::check(
+            pdn_solution_sample(get(), &quantity, times.data(), times.size(), out.data()));
         return out;
     }
+    /** Values of a quantity of C components: an array for each time. */
+    template <std::size_t C> Series<C> sample(const Quantity &quantity, Reals times) const
+    {
+        const std::size_t components = quantity.components();
+        if (components != C) {
+            throw error(PDN_ERR_SIZE, "quantity: expected one of " + std::to_string(C) +
+                                          " components, got " + std::to_string(components));
+        }
+        Series<C> out(times.size());
+        detail::check(
+            pdn_solution_sample(get(), &quantity, times.data(), times.size(), detail::flat(out)));
+        return out;
+    }
+    /** Fourier coefficients of a quantity. */
     Harmonics harmonics(const Quantity &quantity, std::size_t harmonics) const
     {
-        return with_rate(quantity.components(), harmonics, pdn_solution_quantity_harmonics,
-                         static_cast<const pdn_quantity *>(&quantity));
+        // Refuses too many before there is memory for them.
+        detail::check(pdn_solution_harmonics(get(), &quantity, harmonics, nullptr, nullptr, nullptr,
+                                             nullptr));
+        Harmonics out;
+        out.components = quantity.components();
+        out.mean.resize(out.components);
+        out.rate.resize(out.components);
+        out.cosines.resize(out.components * harmonics);
+        out.sines.resize(out.components * harmonics);
+        detail::check(pdn_solution_harmonics(get(), &quantity, harmonics, out.mean.data(),
+                                             out.rate.data(), out.cosines.data(),
+                                             out.sines.data()));
+        return out;
     }
+    /** Smallest and largest values of a quantity. */
     Extremes extremes(const Quantity &quantity) const
     {
         const std::vector<double> zero(quantity.components());
         Extremes out{zero, zero, zero, zero};
-        detail::check(pdn_solution_quantity_extremes(
-            get(), &quantity, out.smallest.data(), out.time_of_smallest.data(),
-            out.largest.data(), out.time_of_largest.data()));
+        detail::check(pdn_solution_extremes(get(), &quantity, out.smallest.data(),
+                                            out.time_of_smallest.data(), out.largest.data(),
+                                            out.time_of_largest.data()));
         return out;
-    }
-    Harmonics node_harmonics(Id node, NodeQuantity quantity, std::size_t harmonics) const
-    {
-        return without_rate(components(quantity), harmonics, pdn_solution_node_harmonics, node,
-                            detail::c(quantity));
-    }
-    Harmonics joint_harmonics(Id joint, JointQuantity quantity, Coordinate coordinate,
-                              std::size_t harmonics) const
-    {
-        return with_rate(components(quantity), harmonics, pdn_solution_joint_harmonics, joint,
-                         detail::c(quantity), detail::c(coordinate));
-    }
-    Harmonics joint_reaction_harmonics(Id joint, Axes axes, std::size_t harmonics) const
-    {
-        return with_rate(6, harmonics, pdn_solution_joint_harmonics, joint, PDN_JOINT_REACTION,
-                         detail::c(axes));
-    }
-    Harmonics beam_harmonics(Id element, double station, BeamQuantity quantity,
-                             std::size_t harmonics) const
-    {
-        return without_rate(6, harmonics, pdn_solution_beam_harmonics, element, station,
-                            detail::c(quantity));
-    }
-    /** Of a branch, or a node, where the quantity has them; otherwise of 0. */
-    Harmonics force_harmonics(Id force, ForceQuantity quantity, Id of, std::size_t harmonics) const
-    {
-        return with_rate(components(quantity), harmonics, pdn_solution_force_harmonics, force,
-                         detail::c(quantity), of);
     }
     ///@}
 
@@ -2529,76 +2444,6 @@ class Solution
     }
 
   private:
-    static std::size_t components(NodeQuantity quantity)
-    {
-        switch (quantity) {
-        case NodeQuantity::position:
-            return 3;
-        case NodeQuantity::quaternion:
-            return 4;
-        case NodeQuantity::rotation:
-            return 9;
-        default:
-            return 6;
-        }
-    }
-    static std::size_t components(JointQuantity quantity)
-    {
-        return quantity == JointQuantity::reaction ? 6 : 1;
-    }
-    static std::size_t components(ForceQuantity quantity)
-    {
-        return quantity == ForceQuantity::on_node || quantity == ForceQuantity::on_node_material
-                   ? 6
-                   : 1;
-    }
-
-    template <std::size_t C, class Function, class... Of>
-    Series<C> sample(Function *function, Reals times, Of... of) const
-    {
-        Series<C> out(times.size());
-        detail::check(function(get(), of..., times.data(), times.size(), detail::flat(out)));
-        return out;
-    }
-    template <class Function, class... Of>
-    std::vector<double> sample(Function *function, Reals times, Of... of) const
-    {
-        std::vector<double> out(times.size());
-        detail::check(function(get(), of..., times.data(), times.size(), out.data()));
-        return out;
-    }
-    template <class Function, class... Of>
-    Harmonics with_rate(std::size_t components, std::size_t harmonics, Function *function,
-                        Of... of) const
-    {
-        // Refuses too many before there is memory for them.
-        detail::check(function(get(), of..., harmonics, nullptr, nullptr, nullptr, nullptr));
-        Harmonics out = sized(components, harmonics);
-        detail::check(function(get(), of..., harmonics, out.mean.data(), out.rate.data(),
-                               out.cosines.data(), out.sines.data()));
-        return out;
-    }
-    template <class Function, class... Of>
-    Harmonics without_rate(std::size_t components, std::size_t harmonics, Function *function,
-                           Of... of) const
-    {
-        detail::check(function(get(), of..., harmonics, nullptr, nullptr, nullptr));
-        Harmonics out = sized(components, harmonics);
-        detail::check(function(get(), of..., harmonics, out.mean.data(), out.cosines.data(),
-                               out.sines.data()));
-        return out;
-    }
-    static Harmonics sized(std::size_t components, std::size_t harmonics)
-    {
-        Harmonics out;
-        out.components = components;
-        out.mean.resize(components);
-        out.rate.resize(components);
-        out.cosines.resize(components * harmonics);
-        out.sines.resize(components * harmonics);
-        return out;
-    }
-
     detail::Kept kept_; // outlives the handle
     std::unique_ptr<pdn_solution, detail::Free> handle_;
 };
@@ -3508,37 +3353,6 @@ class Table
     pdn_table *get() const noexcept
     {
         return handle_.get();
-    }
-    void add_node(const Solution &solution, Id node, NodeQuantity quantity,
-                  const std::string &label = {})
-    {
-        detail::check(
-            pdn_table_add_node(get(), solution.get(), node, detail::c(quantity), c(label)));
-    }
-    void add_joint(const Solution &solution, Id joint, JointQuantity quantity,
-                   Coordinate coordinate, const std::string &label = {})
-    {
-        detail::check(pdn_table_add_joint(get(), solution.get(), joint, detail::c(quantity),
-                                          detail::c(coordinate), c(label)));
-    }
-    void add_joint_reaction(const Solution &solution, Id joint, Axes axes,
-                            const std::string &label = {})
-    {
-        detail::check(pdn_table_add_joint(get(), solution.get(), joint, PDN_JOINT_REACTION,
-                                          detail::c(axes), c(label)));
-    }
-    void add_beam(const Solution &solution, Id element, double station, BeamQuantity quantity,
-                  const std::string &label = {})
-    {
-        detail::check(pdn_table_add_beam(get(), solution.get(), element, station,
-                                         detail::c(quantity), c(label)));
-    }
-    /** Of a branch, or a node, where the quantity has them; otherwise of 0. */
-    void add_force(const Solution &solution, Id force, ForceQuantity quantity, Id of = 0,
-                   const std::string &label = {})
-    {
-        detail::check(
-            pdn_table_add_force(get(), solution.get(), force, detail::c(quantity), of, c(label)));
     }
     /** A quantity, or one of its components. */
     void add(const Solution &solution, const Quantity &quantity, const std::string &label = {})

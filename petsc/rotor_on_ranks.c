@@ -46,13 +46,13 @@ int main(int argc, char **argv)
     if (rank == 0) {
         double position[3];
         const double time = 0.25;
-        TRY(pdn_solution_node_position(solution, tip, &time, 1, position));
+        TRY(pdn_solution_sample(solution, PDN_QUANTITY(PDN_NODE_POSITION, tip, PDN_ALL_COMPONENTS),
+                                &time, 1, position));
         printf("%d ranks: %s, %zu unknowns, %zu iterations, %zu products, %.1f s, of which "
                "start %.1f, linearisations %.1f, factors %.1f, linear solves %.1f\n",
                ranks, report.outcome == PDN_CONVERGED ? "converged" : "not converged",
-               report.unknowns, report.iterations, report.products, seconds,
-               report.start_time, report.linearisation_time, report.factor_time,
-               report.solve_time);
+               report.unknowns, report.iterations, report.products, seconds, report.start_time,
+               report.linearisation_time, report.factor_time, report.solve_time);
         printf("memory of a rank: %.0f MB, of which equations %.0f MB; tip at %.12f %.12f %.12f\n",
                most, (double)report.bytes / 1e6, position[0], position[1], position[2]);
         pdn_solution_free(solution);

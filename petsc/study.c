@@ -111,12 +111,14 @@ static int32_t solve_case(size_t task, double *results, size_t count, void *user
         status = NOT_CONVERGED;
         goto done;
     }
-    TRY(pdn_solution_joint_harmonics(solution, gauge, PDN_JOINT_COORDINATE, PDN_DISPLACEMENT, 1,
-                                     &results[0], NULL, &cosine, &sine));
+    TRY(pdn_solution_harmonics(solution,
+                               PDN_QUANTITY(PDN_JOINT_COORDINATE, gauge, PDN_DISPLACEMENT), 1,
+                               &results[0], NULL, &cosine, &sine));
     results[1] = hypot(cosine, sine);
     double means[6], cosines[6], sines[6];
-    TRY(pdn_solution_joint_harmonics(solution, clamp, PDN_JOINT_REACTION, PDN_FRAME_FIRST, 1, means,
-                                     NULL, cosines, sines));
+    pdn_quantity reaction = pdn_quantity_of(PDN_JOINT_REACTION, clamp, PDN_ALL_COMPONENTS);
+    reaction.frame = PDN_FRAME_FIRST;
+    TRY(pdn_solution_harmonics(solution, &reaction, 1, means, NULL, cosines, sines));
     results[2] = means[4];
     results[3] = hypot(cosines[4], sines[4]);
     pdn_diagnostics diagnostics;

@@ -51,5 +51,6 @@ def declarations(header):
     """What the header declares, without what is for the preprocessor."""
     header = re.sub(r"/\*.*?\*/", "", header, flags=re.S)
     header = re.sub(r"^#ifdef __cplusplus.*?^#endif.*?$", "", header, flags=re.M | re.S)
-    header = re.sub(r"^\s*#.*$", "", header, flags=re.M)
+    header = re.sub(r"^\s*#(.*\\\n)*.*$", "", header, flags=re.M)
+    header = re.sub(r"^static inline .*?^}$", "", header, flags=re.M | re.S)
     return re.sub(r"\bPDN_API\b", "", header)

@@ -32,7 +32,6 @@ const FILES: &[&str] = &[
     "label",
     "solution",
     "quantity",
-    "force_solution",
     "filter",
     "periodic",
     "linear_solver",

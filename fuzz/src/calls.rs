@@ -590,12 +590,12 @@ impl Session<'_, '_> {
         let [nodes, joints, elements, forces] = self.counts();
         let mut quantity = defaults!(pdn_quantity, pdn_quantity_init);
         let objects = [
-            (PDN_QUANTITY_POSITION, PDN_FIRST_NODE, nodes),
-            (PDN_QUANTITY_COORDINATE, PDN_FIRST_JOINT, joints),
-            (PDN_QUANTITY_STRAIN, PDN_FIRST_BEAM_ELEMENT, elements),
-            (PDN_QUANTITY_EFFORT, PDN_FIRST_FORCE, forces),
-            (PDN_QUANTITY_SHELL_STRAIN, PDN_FIRST_SHELL_ELEMENT, 4),
-            (PDN_QUANTITY_RELATION_EFFORT, PDN_FIRST_RELATION, 2),
+            (PDN_NODE_POSITION, PDN_FIRST_NODE, nodes),
+            (PDN_JOINT_COORDINATE, PDN_FIRST_JOINT, joints),
+            (PDN_BEAM_STRAIN, PDN_FIRST_BEAM_ELEMENT, elements),
+            (PDN_FORCE_EFFORT, PDN_FIRST_FORCE, forces),
+            (PDN_SHELL_STRAIN, PDN_FIRST_SHELL_ELEMENT, 4),
+            (PDN_RELATION_EFFORT, PDN_FIRST_RELATION, 2),
         ];
         let (kind, first, count) = objects[self.bytes.below(6)];
         quantity.kind = self.bytes.constant(kind, 7);
@@ -617,16 +617,12 @@ impl Session<'_, '_> {
         let (many, out) = (count.max(1) * 3, values.as_mut_ptr());
         match self.bytes.below(6) {
             0..=1 => {
-                let status = call!(pdn_solution_sample_quantity(solution, q, t, 3, out));
-                check_numbers(
-                    "pdn_solution_sample_quantity",
-                    status,
-                    &values[..many.min(40)],
-                );
+                let status = call!(pdn_solution_sample(solution, q, t, 3, out));
+                check_numbers("pdn_solution_sample", status, &values[..many.min(40)]);
             }
             2 => {
                 let (mean, rate) = (null_mut(), null_mut());
-                let status = call!(pdn_solution_quantity_harmonics(
+                let status = call!(pdn_solution_harmonics(
                     solution,
                     q,
                     harmonics,
@@ -635,18 +631,14 @@ impl Session<'_, '_> {
                     out,
                     null_mut(),
                 ));
-                check_numbers("pdn_solution_quantity_harmonics", status, &values);
+                check_numbers("pdn_solution_harmonics", status, &values);
             }
             3 => {
                 let mut others = [[0.0; 12]; 3];
                 let [a, b, c] = others.each_mut().map(|place| place.as_mut_ptr());
-                let status = call!(pdn_solution_quantity_extremes(solution, q, out, a, b, c));
-                check_numbers("pdn_solution_quantity_extremes", status, &values);
-                check_numbers(
-                    "pdn_solution_quantity_extremes",
-                    status,
-                    others.as_flattened(),
-                );
+                let status = call!(pdn_solution_extremes(solution, q, out, a, b, c));
+                check_numbers("pdn_solution_extremes", status, &values);
+                check_numbers("pdn_solution_extremes", status, others.as_flattened());
             }
             4 => {
                 let mut found = defaults!(pdn_diagnostics, pdn_diagnostics_init);

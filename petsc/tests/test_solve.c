@@ -1,5 +1,5 @@
-/* test_solve MODEL [body_circulant] [options of PETSc]: the solution of all ranks is that of one, found without PETSc,
- * and takes as many products as PETSc does on one rank. */
+/* test_solve MODEL [body_circulant] [options of PETSc]: the solution of all ranks is that of one,
+ * found without PETSc, and takes as many products as PETSc does on one rank. */
 
 #include "mechanisms.h"
 #include "periodyn_petsc.h"
@@ -26,9 +26,12 @@ static void compare(const struct test_model *model, const pdn_solution *found,
     }
     for (int which = 0; which < 2; ++which) {
         const pdn_solution *solution = which == 0 ? found : expected;
-        GOOD(pdn_solution_node_position(solution, model->node, t, TIMES, position[which][0]));
-        GOOD(pdn_solution_joint_driving_effort(solution, model->joint, PDN_ROTATION, t, TIMES,
-                                               effort[which]));
+        GOOD(pdn_solution_sample(solution,
+                                 PDN_QUANTITY(PDN_NODE_POSITION, model->node, PDN_ALL_COMPONENTS),
+                                 t, TIMES, position[which][0]));
+        GOOD(pdn_solution_sample(solution,
+                                 PDN_QUANTITY(PDN_JOINT_DRIVING_EFFORT, model->joint, PDN_ROTATION),
+                                 t, TIMES, effort[which]));
     }
     const double size = largest(position[1][0], NULL, 3 * TIMES);
     const double force = largest(effort[1], NULL, TIMES);
@@ -46,7 +49,7 @@ int main(int argc, char **argv)
     CHECK(argc >= 2);
     const int blades = strcmp(argv[1], "rotor") == 0;
     const int bodies = argc > 2 && strcmp(argv[2], "body_circulant") == 0;
-    struct test_model model = blades                               ? rotor(4, 15)
+    struct test_model model = blades                             ? rotor(4, 15)
                               : strcmp(argv[1], "four_bar") == 0 ? four_bar()
                                                                  : slider_crank();
     pdn_periodic_options serial;

@@ -57,8 +57,9 @@ static int32_t oscillator(size_t task, double *results, size_t count, void *user
     PDN_INIT(pdn_periodic_options, &options);
     options.grid_points = 7;
     GOOD(pdn_solve_periodic(model, 2 * PI / OMEGA, &options, &solution));
-    GOOD(pdn_solution_joint_harmonics(solution, slide, PDN_JOINT_COORDINATE, PDN_DISPLACEMENT, 1,
-                                      &mean, NULL, &cosine, &sine));
+    GOOD(pdn_solution_harmonics(solution,
+                                PDN_QUANTITY(PDN_JOINT_COORDINATE, slide, PDN_DISPLACEMENT), 1,
+                                &mean, NULL, &cosine, &sine));
     results[0] = hypot(cosine, sine);
     results[1] = stiffness_of(task);
     pdn_solution_free(solution);

@@ -13,4 +13,4 @@ model.add_load(bob, pdn.FRAME_SPACE, pdn.MOMENT_2, lambda time: 4 * np.cos(2 * t
 
 solution = model.solve_periodic(np.pi)
 print(solution.report())
-print("angle", solution.joint_coordinate(hinge, pdn.ROTATION, 0.0)[0])
+print("angle", solution.sample(pdn.Quantity(pdn.JOINT_COORDINATE, hinge, pdn.ROTATION), 0.0)[0])

@@ -24,7 +24,8 @@ model.add_load(blade.last, pdn.FRAME_SPACE, pdn.FORCE_1, gust)
 solution = model.solve_periodic(1.0)
 print(solution.report())
 times = np.linspace(0, 1, 201)
-moments = -solution.joint_reaction(clamp, pdn.FRAME_FIRST, times)[:, 3:5]
+at_root = pdn.Quantity(pdn.JOINT_REACTION, clamp, frame=pdn.FRAME_FIRST)
+moments = -solution.sample(at_root, times)[:, 3:5]
 pyplot.plot(times, moments / 1e3, label=["lag", "flap"])
 pyplot.xlabel("time [s]")
 pyplot.ylabel("root moment [kN m]")

@@ -133,14 +133,18 @@ def draw(axes, title, before, after):
     axes.tick_params(labelsize=6)
 
 
+def position(solution, node):
+    return solution.sample(pdn.Quantity(pdn.NODE_POSITION, node), [0])[0]
+
+
 figure = pyplot.figure(figsize=(11, 7), layout="constrained")
 for k, made in enumerate((cantilever, roll_up, slit_ring, hemisphere, twisted_beam, hook)):
     title, model, nodes, points, load_steps = made()
     solution = model.solve_static(load_steps=load_steps)
     assert solution.converged, solution.report()
     before = np.array([[model.node_frame(n).position for n in row] for row in nodes])
-    after = np.array([[solution.node_position(n, [0])[0] for n in row] for row in nodes])
-    told = [solution.node_position(n, [0])[0] - model.node_frame(n).position for n in points]
+    after = np.array([[position(solution, n) for n in row] for row in nodes])
+    told = [position(solution, n) - model.node_frame(n).position for n in points]
     print(f"{title}:", "; ".join(" ".join(f"{x:.5g}" for x in one) for one in told))
     larger = float(title.split("×")[1].rstrip(")")) if "×" in title else 1.0
     draw(figure.add_subplot(2, 3, k + 1, projection="3d"), title, before,

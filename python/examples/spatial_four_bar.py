@@ -39,7 +39,7 @@ solution = model.solve_periodic(period, grid_points=int(sys.argv[1]) if sys.argv
 print(solution)
 
 times = np.linspace(0, period, 401)
-torque = solution.joint_driving_effort(motor, pdn.ROTATION, times)
+torque = solution.sample(pdn.Quantity(pdn.JOINT_DRIVING_EFFORT, motor, pdn.ROTATION), times)
 low, high = torque.argmin(), torque.argmax()
 print(f"Torque of the motor: {torque[low]:.4f} N m at {times[low] / period:.3f} T "
       f"to {torque[high]:.4f} N m at {times[high] / period:.3f} T")

@@ -20,7 +20,7 @@ def amplitude(stiffness):
     push = pdn.Signal().set_harmonics(cosines=[1.5], sines=[0])
     model.add_load(body, pdn.FRAME_SPACE, pdn.FORCE_1, push)
     solution = model.solve_periodic(np.pi)
-    _, cosines, sines = solution.node_harmonics(body, pdn.NODE_POSITION, 1)
+    _, _, cosines, sines = solution.harmonics(pdn.Quantity(pdn.NODE_POSITION, body), 1)
     return float(np.hypot(cosines[0, 0], sines[0, 0]))
 
 

@@ -274,124 +274,73 @@ FRAME_FIRST = 1603
 """Axes of a joint reaction: the joint frame on the first body."""
 FRAME_SECOND = 1604
 """Axes of a joint reaction: the joint frame on the second body."""
-NODE_POSITION = 2600
-"""Quantity of a node: position, inertial frame; 3 components [length]."""
-NODE_ROTATION = 2601
-"""Quantity of a node: rotation matrix, column by column; 9 components."""
-NODE_QUATERNION = 2602
-"""Quantity of a node: unit quaternion (w, x, y, z) of continuous sign; 4 components."""
-NODE_VELOCITY = 2603
-"""Quantity of a node: velocity and angular velocity, inertial frame; 6 components."""
-NODE_ACCELERATION = 2604
-"""Quantity of a node: acceleration and angular acceleration, inertial frame; 6 components."""
-NODE_MATERIAL_VELOCITY = 2605
-"""Quantity of a node: velocity and angular velocity along the node's axes; 6 components."""
-NODE_MATERIAL_ACCELERATION = 2606
-"""Quantity of a node: time derivative of NODE_MATERIAL_VELOCITY; 6 components."""
-JOINT_COORDINATE = 2700
-"""Quantity of a joint: coordinate, angles followed through whole turns; 1 component."""
-JOINT_RATE = 2701
-"""Quantity of a joint: rate of a coordinate; 1 component."""
-JOINT_ACCELERATION = 2702
-"""Quantity of a joint: second derivative of a coordinate; 1 component."""
-JOINT_DRIVING_EFFORT = 2703
-"""Quantity of a joint: force or torque that drives a prescribed coordinate; 1 component."""
-JOINT_REACTION = 2704
-"""Quantity of a joint: force and moment on the second body; 6 components."""
-BEAM_STRAIN = 2800
-"""Quantity of a beam: strains and curvatures; 6 components."""
-BEAM_FORCE = 2801
-"""Quantity of a beam: internal forces and moments; 6 components."""
-BEAM_FORCE_MEAN = 2802
-"""Quantity of a beam: internal forces, at a node between two elements the mean of those of both.
-"""
-BEAM_FORCE_JUMP = 2803
-"""Quantity of a beam: at a node between two elements, internal forces of the one beyond it less
-those of the one before it; zero elsewhere.
-"""
-QUANTITY_POSITION = 100
+NODE_POSITION = 100
 """Kind of quantity: position of a node; 3 components [length]."""
-QUANTITY_ROTATION = 101
+NODE_ROTATION = 101
 """Kind of quantity: rotation matrix of a node, column by column; 9 components."""
-QUANTITY_QUATERNION = 102
+NODE_QUATERNION = 102
 """Kind of quantity: unit quaternion (w, x, y, z) of a node, of continuous sign; 4 components."""
-QUANTITY_VELOCITY = 103
+NODE_VELOCITY = 103
 """Kind of quantity: velocity and angular velocity of a node, in a frame; 6 components."""
-QUANTITY_ACCELERATION = 104
+NODE_ACCELERATION = 104
 """Kind of quantity: acceleration and angular acceleration of a node, in a frame; 6 components."""
-QUANTITY_COORDINATE = 200
+JOINT_COORDINATE = 200
 """Kind of quantity: a coordinate of a joint, angles followed through whole turns."""
-QUANTITY_COORDINATE_RATE = 201
+JOINT_RATE = 201
 """Kind of quantity: rate of a coordinate of a joint."""
-QUANTITY_COORDINATE_ACCELERATION = 202
+JOINT_ACCELERATION = 202
 """Kind of quantity: second derivative in time of a coordinate of a joint."""
-QUANTITY_DRIVING_EFFORT = 203
+JOINT_DRIVING_EFFORT = 203
 """Kind of quantity: force or torque that drives a prescribed coordinate of a joint."""
-QUANTITY_REACTION = 204
+JOINT_REACTION = 204
 """Kind of quantity: force and moment of a joint on its second body, along axes; 6 components."""
-QUANTITY_STRAIN = 300
+BEAM_STRAIN = 300
 """Kind of quantity: strains and curvatures of a beam element; 6 components."""
-QUANTITY_BEAM_FORCE = 301
+BEAM_FORCE = 301
 """Kind of quantity: internal forces and moments of a beam element; 6 components."""
-QUANTITY_BEAM_FORCE_MEAN = 302
+BEAM_FORCE_MEAN = 302
 """Kind of quantity: the same, at a node between two elements the mean of those of both."""
-QUANTITY_BEAM_FORCE_JUMP = 303
+BEAM_FORCE_JUMP = 303
 """Kind of quantity: at a node between two elements, internal forces of the one beyond it less
 those of the one before it; zero elsewhere; 6 components.
 """
-QUANTITY_EFFORT = 400
+FORCE_EFFORT = 400
 """Kind of quantity: effort of a force on its joint coordinate."""
-QUANTITY_BRANCH_EFFORT = 401
+FORCE_BRANCH_EFFORT = 401
 """Kind of quantity: effort of a branch of a viscoelastic element."""
-QUANTITY_BRANCH_ELONGATION = 402
+FORCE_BRANCH_ELONGATION = 402
 """Kind of quantity: elongation of the dashpot of a branch of a viscoelastic element."""
-QUANTITY_FORCE_ON_NODE = 403
+FORCE_ON_NODE = 403
 """Kind of quantity: what a force exerts on one of its nodes, in a frame: force and moment; 6
 components.
 """
-QUANTITY_BUSHING_EFFORTS = 404
+FORCE_BUSHING_EFFORTS = 404
 """Kind of quantity: the efforts of a bushing against its deformation, forces along the axes of its
 first frame and moments; 6 components.
 """
-QUANTITY_CONTROL_EFFORT = 405
+FORCE_CONTROL_EFFORT = 405
 """Kind of quantity: effort of a controller on one of the coordinates that it acts on, towards
 growth.
 """
-QUANTITY_CONTROL_STATE = 406
+FORCE_CONTROL_STATE = 406
 """Kind of quantity: a state of a controller."""
-QUANTITY_SHELL_STRAIN = 500
+SHELL_STRAIN = 500
 """Kind of quantity: strains of a shell element, in the order of ShellSection; 12 components."""
-QUANTITY_SHELL_RESULTANT = 501
+SHELL_RESULTANT = 501
 """Kind of quantity: forces and moments of a shell element per unit of reference length, in the
 same order: N11 N12 Q1 M11 M12 M1n, N21 N22 Q2 M21 M22 M2n; 12 components.
 """
-QUANTITY_STRESS_TOP = 502
+SHELL_STRESS_TOP = 502
 """Kind of quantity: stresses 11, 22, 12 at the surface of an isotropic shell that its normal
 points out of, and von Mises' stress of these [force / length^2]; 4 components.
 """
-QUANTITY_STRESS_BOTTOM = 503
+SHELL_STRESS_BOTTOM = 503
 """Kind of quantity: the same at the other surface; 4 components."""
-QUANTITY_RELATION_EFFORT = 600
+RELATION_EFFORT = 600
 """Kind of quantity: effort of a linear relation on one of its joint coordinates, towards growth.
 """
 ALL_COMPONENTS = -2
 """All components of a quantity."""
-FORCE_EFFORT = 3000
-"""Quantity of a force on a joint coordinate: its effort; 1 component."""
-FORCE_BRANCH_EFFORT = 3001
-"""Quantity of a viscoelastic element: effort of one of its branches; 1 component."""
-FORCE_BRANCH_ELONGATION = 3002
-"""Quantity of a viscoelastic element: elongation of the dashpot of one of its branches; 1
-component.
-"""
-FORCE_ON_NODE = 3003
-"""Quantity of a force: force and moment on one of its nodes, along the inertial axes; 6
-components.
-"""
-FORCE_ON_NODE_MATERIAL = 3004
-"""Quantity of a force: force and moment on one of its nodes, along the node's own axes; 6
-components.
-"""
 FILTER_LANCZOS = 3100
 """Spectral filter: Lanczos' factors, (sin(x) / x)^order with x = pi j / (H + 1) for harmonic j of
 H. Of order 1 they are running means over two grid intervals; order 2 or 3 removes more.
@@ -616,13 +565,6 @@ OUTCOMES = {
     2409: "WORK_LIMIT",
 }
 """Names of the outcomes of a solve."""
-COMPONENTS = {
-    "node": {2600: 3, 2601: 9, 2602: 4, 2603: 6, 2604: 6, 2605: 6, 2606: 6},
-    "joint": {2700: 1, 2701: 1, 2702: 1, 2703: 1, 2704: 6},
-    "beam": {2800: 6, 2801: 6, 2802: 6, 2803: 6},
-    "force": {3000: 1, 3001: 1, 3002: 1, 3003: 6, 3004: 6},
-}
-"""Components of each quantity."""
 
 
 class Section(Struct):
@@ -1262,7 +1204,7 @@ class Quantity(Struct):
     _type = "pdn_quantity"
     _initialise = lib.pdn_quantity_init
     kind = Number("kind")
-    """QUANTITY_POSITION, ...; there is no default."""
+    """NODE_POSITION, ...; there is no default."""
     object = Number("object")
     """Id of the node, joint, beam element, shell element, force or relation that it is of."""
     component = Number("component")
@@ -3038,9 +2980,9 @@ class Model(ModelExtras):
         coordinates[i] of joint joints[i], whole turns counted. Gears that turn q1 by n q2 have
         coefficients 1 and -n, a rack on a pinion of radius r 1 and -r, a differential 1, 1 and
         -2. It exerts an effort on each of the coordinates, in proportion to the coefficients:
-        QUANTITY_RELATION_EFFORT. Where angles that are prescribed turn on and on, those that
-        they turn by relations must gain whole turns in a period as well; a solve refuses others
-        with ERR_NOT_PERIODIC, and tells a period that would do.
+        RELATION_EFFORT. Where angles that are prescribed turn on and on, those that they turn
+        by relations must gain whole turns in a period as well; a solve refuses others with
+        ERR_NOT_PERIODIC, and tells a period that would do.
 
         Args:
             joints: ids of the joints
@@ -5943,457 +5885,7 @@ class Solution(SolutionExtras):
         call(lib.pdn_solution_grid_times, self._c, pointer(times), _count)
         return times
 
-    def node_position(self, node, times):
-        """Position of a node at any times.
-
-        Interpolated over the whole period by dual polar decomposition: to rounding at the grid
-        points.
-
-        Args:
-            node: id of the node
-            times: array of shape (count): times, also outside the first period
-
-        Returns:
-            out, of shape (count, 3): coordinates of each time together, inertial frame [length]
-        """
-        times = reals("times", times, (None,))
-        _count = len(times)
-        out = reals.empty((_count, 3))
-        call(lib.pdn_solution_node_position, self._c, node, pointer(times), _count, pointer(out))
-        return out
-
-    def node_rotation(self, node, times):
-        """Rotation matrix of a node at any times.
-
-        Args:
-            node: id of the node
-            times: array of shape (count): times, also outside the first period
-
-        Returns:
-            out, of shape (count, 3, 3): of each time the three columns, which are the node's
-                axes in the inertial frame
-        """
-        times = reals("times", times, (None,))
-        _count = len(times)
-        out = reals.empty((_count, 3, 3))
-        call(lib.pdn_solution_node_rotation, self._c, node, pointer(times), _count, pointer(out))
-        return out.swapaxes(-1, -2)
-
-    def node_quaternion(self, node, times):
-        """Unit quaternion of a node at any times.
-
-        Args:
-            node: id of the node
-            times: array of shape (count): times, also outside the first period
-
-        Returns:
-            out, of shape (count, 4): (w, x, y, z) of each time, from the inertial to the node's
-                frame; w is not negative at the first time, and the sign is continuous from one
-                time to the next
-        """
-        times = reals("times", times, (None,))
-        _count = len(times)
-        out = reals.empty((_count, 4))
-        call(
-            lib.pdn_solution_node_quaternion,
-            self._c,
-            node,
-            pointer(times),
-            _count,
-            pointer(out),
-        )
-        return out
-
-    def node_velocity(self, node, frame, times):
-        """Velocity of a node at any times.
-
-        Args:
-            node: id of the node
-            frame: FRAME_SPACE: velocity of the node and angular velocity along the inertial
-                axes; FRAME_MATERIAL: along the node's own
-            times: array of shape (count): times, also outside the first period
-
-        Returns:
-            out, of shape (count, 6): linear, then angular velocity of each time
-        """
-        times = reals("times", times, (None,))
-        _count = len(times)
-        out = reals.empty((_count, 6))
-        call(
-            lib.pdn_solution_node_velocity,
-            self._c,
-            node,
-            frame,
-            pointer(times),
-            _count,
-            pointer(out),
-        )
-        return out
-
-    def node_acceleration(self, node, frame, times):
-        """Acceleration of a node at any times.
-
-        Args:
-            node: id of the node
-            frame: FRAME_SPACE: acceleration of the node and angular acceleration along the
-                inertial axes; FRAME_MATERIAL: time derivative of the velocity along the node's
-                own axes
-            times: array of shape (count): times, also outside the first period
-
-        Returns:
-            out, of shape (count, 6): linear, then angular acceleration of each time
-        """
-        times = reals("times", times, (None,))
-        _count = len(times)
-        out = reals.empty((_count, 6))
-        call(
-            lib.pdn_solution_node_acceleration,
-            self._c,
-            node,
-            frame,
-            pointer(times),
-            _count,
-            pointer(out),
-        )
-        return out
-
-    def joint_coordinate(self, joint, coordinate, times):
-        """Joint coordinate at any times: a displacement, or an angle, followed continuously
-        through whole turns.
-
-        Args:
-            joint: id of the joint
-            coordinate: DISPLACEMENT ... ROTATION_3; see the joint
-            times: array of shape (count): times, also outside the first period
-
-        Returns:
-            out, of shape (count): or rad]
-        """
-        times = reals("times", times, (None,))
-        _count = len(times)
-        out = reals.empty((_count,))
-        call(
-            lib.pdn_solution_joint_coordinate,
-            self._c,
-            joint,
-            coordinate,
-            pointer(times),
-            _count,
-            pointer(out),
-        )
-        return out
-
-    def joint_rate(self, joint, coordinate, times):
-        """Rate of a joint coordinate at any times.
-
-        Args:
-            joint: id of the joint
-            coordinate: DISPLACEMENT ... ROTATION_3; see the joint
-            times: array of shape (count): times, also outside the first period
-
-        Returns:
-            out, of shape (count)
-        """
-        times = reals("times", times, (None,))
-        _count = len(times)
-        out = reals.empty((_count,))
-        call(
-            lib.pdn_solution_joint_rate,
-            self._c,
-            joint,
-            coordinate,
-            pointer(times),
-            _count,
-            pointer(out),
-        )
-        return out
-
-    def joint_acceleration(self, joint, coordinate, times):
-        """Second derivative in time of a joint coordinate at any times.
-
-        Args:
-            joint: id of the joint
-            coordinate: DISPLACEMENT ... ROTATION_3; see the joint
-            times: array of shape (count): times, also outside the first period
-
-        Returns:
-            out, of shape (count)
-        """
-        times = reals("times", times, (None,))
-        _count = len(times)
-        out = reals.empty((_count,))
-        call(
-            lib.pdn_solution_joint_acceleration,
-            self._c,
-            joint,
-            coordinate,
-            pointer(times),
-            _count,
-            pointer(out),
-        )
-        return out
-
-    def joint_driving_effort(self, joint, coordinate, times):
-        """Force or torque that drives a prescribed coordinate, at any times.
-
-        It acts on the second body, and its reaction on the first; positive where it does work
-        on a growing coordinate. Interpolated from the multipliers at the grid points.
-
-        Args:
-            joint: id of the joint
-            coordinate: the prescribed coordinate, as given to Model.prescribe
-            times: array of shape (count): times, also outside the first period
-
-        Returns:
-            out, of shape (count): or force x length]
-        """
-        times = reals("times", times, (None,))
-        _count = len(times)
-        out = reals.empty((_count,))
-        call(
-            lib.pdn_solution_joint_driving_effort,
-            self._c,
-            joint,
-            coordinate,
-            pointer(times),
-            _count,
-            pointer(out),
-        )
-        return out
-
-    def joint_reaction(self, joint, axes, times):
-        """Reaction of a joint at any times: what its constraints exert on the second body.
-
-        Force, and moment about the origin of the joint frame on the second body. Springs,
-        dampers and the drives of prescribed coordinates are not part of it.
-
-        Args:
-            joint: id of the joint
-            axes: FRAME_SPACE, FRAME_FIRST or FRAME_SECOND: axes of the components
-            times: array of shape (count): times, also outside the first period
-
-        Returns:
-            out, of shape (count, 6): force, then moment of each time
-        """
-        times = reals("times", times, (None,))
-        _count = len(times)
-        out = reals.empty((_count, 6))
-        call(
-            lib.pdn_solution_joint_reaction,
-            self._c,
-            joint,
-            axes,
-            pointer(times),
-            _count,
-            pointer(out),
-        )
-        return out
-
-    def beam_strain(self, element, station, times):
-        """Strains of a beam element at a station and any times.
-
-        Per unit of reference length, along the section's axes: axial and two shear strains,
-        twist and two curvatures. Along the element they are the polynomial through those at its
-        Gauss points; in time they are interpolated from their values at the grid points.
-
-        Args:
-            element: id of the beam element
-            station: place along the element, from -1 at its first to 1 at its last node
-            times: array of shape (count): times, also outside the first period
-
-        Returns:
-            out, of shape (count, 6)
-        """
-        times = reals("times", times, (None,))
-        _count = len(times)
-        out = reals.empty((_count, 6))
-        call(
-            lib.pdn_solution_beam_strain,
-            self._c,
-            element,
-            station,
-            pointer(times),
-            _count,
-            pointer(out),
-        )
-        return out
-
-    def beam_force(self, element, station, times):
-        """Internal forces of a beam element at a station and any times.
-
-        Along the section's axes: axial force and two shear forces, torque and two bending
-        moments, exerted by the part beyond the station. They are the polynomial through those
-        at the element's Gauss points (one fewer than nodes), where they are most accurate. At
-        its ends, as all along, errors fall with the power n - 1 of the element's length, for n
-        nodes. At a node, each of two elements has its own: their difference tells how fine the
-        mesh is.
-
-        Args:
-            element: id of the beam element
-            station: place along the element, from -1 at its first to 1 at its last node
-            times: array of shape (count): times, also outside the first period
-
-        Returns:
-            out, of shape (count, 6)
-        """
-        times = reals("times", times, (None,))
-        _count = len(times)
-        out = reals.empty((_count, 6))
-        call(
-            lib.pdn_solution_beam_force,
-            self._c,
-            element,
-            station,
-            pointer(times),
-            _count,
-            pointer(out),
-        )
-        return out
-
-    def beam_force_between(self, element, station, times):
-        """Internal forces of a beam at a node between two of its elements: the mean of those of
-        both, and how much they jump.
-
-        At any other station they are those of Solution.beam_force, and do not jump. Two
-        elements have a node between them if one ends and the other starts there, and nothing
-        else is at the node: no other element, no body, joint, load or force, whose own jump a
-        mean would hide. Errors of the mean fall, between elements of an odd degree and equal
-        length, with a power of their length that is higher by one.
-
-        Args:
-            element: id of the beam element
-            station: place along the element, from -1 at its first to 1 at its last node
-            times: array of shape (count): times, also outside the first period
-
-        Returns:
-            mean, of shape (count, 6)
-            jump, of shape (count, 6): of the element beyond the node less those of the one
-                before it
-        """
-        times = reals("times", times, (None,))
-        _count = len(times)
-        mean = reals.empty((_count, 6))
-        jump = reals.empty((_count, 6))
-        call(
-            lib.pdn_solution_beam_force_between,
-            self._c,
-            element,
-            station,
-            pointer(times),
-            _count,
-            pointer(mean),
-            pointer(jump),
-        )
-        return mean, jump
-
-    def node_harmonics(self, node, quantity, harmonics):
-        """Fourier coefficients of a node's quantity: mean + sum of cosines[j] cos jwt + sines[j]
-        sin jwt.
-
-        Those of the trigonometric polynomial through the values at the grid points.
-
-        Args:
-            node: id of the node
-            quantity: NODE_POSITION, ...; it has C components
-            harmonics: number of harmonics wanted; those above (N - 1) / 2 are zero
-
-        Returns:
-            mean, of shape (components)
-            cosines, of shape (harmonics, components): components of each harmonic together
-            sines, of shape (harmonics, components): components of each harmonic together
-        """
-        components = COMPONENTS["node"].get(quantity, 9)
-        mean = reals.empty((components,))
-        cosines = reals.empty((harmonics, components))
-        sines = reals.empty((harmonics, components))
-        call(
-            lib.pdn_solution_node_harmonics,
-            self._c,
-            node,
-            quantity,
-            harmonics,
-            pointer(mean),
-            pointer(cosines),
-            pointer(sines),
-        )
-        return (
-            mean[..., 0] if components == 1 else mean,
-            cosines[..., 0] if components == 1 else cosines,
-            sines[..., 0] if components == 1 else sines,
-        )
-
-    def joint_harmonics(self, joint, quantity, detail, harmonics):
-        """Fourier coefficients of a joint's quantity: mean + rate t + sum of cosines[j] cos jwt +
-        sines[j] sin jwt.
-
-        Args:
-            joint: id of the joint
-            quantity: JOINT_COORDINATE, ...; it has C components
-            detail: the coordinate (DISPLACEMENT, ...) or, for JOINT_REACTION, the axes
-                (FRAME_SPACE, ...)
-            harmonics: number of harmonics wanted; those above (N - 1) / 2 are zero
-
-        Returns:
-            mean, of shape (components)
-            rate, of shape (components): growth per unit of time, of an angle that gains turns
-            cosines, of shape (harmonics, components): components of each harmonic together
-            sines, of shape (harmonics, components): components of each harmonic together
-        """
-        components = COMPONENTS["joint"].get(quantity, 9)
-        mean = reals.empty((components,))
-        rate = reals.empty((components,))
-        cosines = reals.empty((harmonics, components))
-        sines = reals.empty((harmonics, components))
-        call(
-            lib.pdn_solution_joint_harmonics,
-            self._c,
-            joint,
-            quantity,
-            detail,
-            harmonics,
-            pointer(mean),
-            pointer(rate),
-            pointer(cosines),
-            pointer(sines),
-        )
-        return (
-            mean[..., 0] if components == 1 else mean,
-            rate[..., 0] if components == 1 else rate,
-            cosines[..., 0] if components == 1 else cosines,
-            sines[..., 0] if components == 1 else sines,
-        )
-
-    def beam_harmonics(self, element, station, quantity, harmonics):
-        """Fourier coefficients of strains or internal forces of a beam element at a station.
-
-        Args:
-            element: id of the beam element
-            station: place along the element, from -1 at its first to 1 at its last node
-            quantity: BEAM_STRAIN, BEAM_FORCE, BEAM_FORCE_MEAN or BEAM_FORCE_JUMP
-            harmonics: number of harmonics wanted; those above (N - 1) / 2 are zero
-
-        Returns:
-            mean, of shape (6)
-            cosines, of shape (harmonics, 6): components of each harmonic together
-            sines, of shape (harmonics, 6): components of each harmonic together
-        """
-        mean = reals.empty((6,))
-        cosines = reals.empty((harmonics, 6))
-        sines = reals.empty((harmonics, 6))
-        call(
-            lib.pdn_solution_beam_harmonics,
-            self._c,
-            element,
-            station,
-            quantity,
-            harmonics,
-            pointer(mean),
-            pointer(cosines),
-            pointer(sines),
-        )
-        return mean, cosines, sines
-
-    def sample_quantity(self, quantity, times):
+    def sample(self, quantity, times):
         """A quantity of a solution at any times.
 
         Motions of nodes are interpolated over the whole period by dual polar decomposition, all
@@ -6411,17 +5903,10 @@ class Solution(SolutionExtras):
         _count = len(times)
         components = max(lib.pdn_quantity_components(quantity), 1)
         out = reals.empty((_count, components))
-        call(
-            lib.pdn_solution_sample_quantity,
-            self._c,
-            quantity,
-            pointer(times),
-            _count,
-            pointer(out),
-        )
+        call(lib.pdn_solution_sample, self._c, quantity, pointer(times), _count, pointer(out))
         return out[..., 0] if components == 1 else out
 
-    def quantity_harmonics(self, quantity, harmonics):
+    def harmonics(self, quantity, harmonics):
         """Fourier coefficients of a quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j]
         sin jwt.
 
@@ -6444,7 +5929,7 @@ class Solution(SolutionExtras):
         cosines = reals.empty((harmonics, components))
         sines = reals.empty((harmonics, components))
         call(
-            lib.pdn_solution_quantity_harmonics,
+            lib.pdn_solution_harmonics,
             self._c,
             quantity,
             harmonics,
@@ -6460,7 +5945,7 @@ class Solution(SolutionExtras):
             sines[..., 0] if components == 1 else sines,
         )
 
-    def quantity_extremes(self, quantity):
+    def extremes(self, quantity):
         """Smallest and largest values of a quantity, and their times.
 
         Over the period, of the trigonometric polynomial through the values at the grid points;
@@ -6482,7 +5967,7 @@ class Solution(SolutionExtras):
         largest = reals.empty((components,))
         time_of_largest = reals.empty((components,))
         call(
-            lib.pdn_solution_quantity_extremes,
+            lib.pdn_solution_extremes,
             self._c,
             quantity,
             pointer(smallest),
@@ -6495,152 +5980,6 @@ class Solution(SolutionExtras):
             time_of_smallest[..., 0] if components == 1 else time_of_smallest,
             largest[..., 0] if components == 1 else largest,
             time_of_largest[..., 0] if components == 1 else time_of_largest,
-        )
-
-    def force_effort(self, force, times):
-        """Effort of a force on a joint coordinate, at any times.
-
-        The effort of an actuator is positive where it acts towards growth of the coordinate;
-        that of all others (springs, dampers, viscoelastic elements, the user's laws) where it
-        acts against. Interpolated from its values at the grid points.
-
-        Args:
-            force: id of the force
-            times: array of shape (count): times, also outside the first period
-
-        Returns:
-            out, of shape (count): force x length on an angle]
-        """
-        times = reals("times", times, (None,))
-        _count = len(times)
-        out = reals.empty((_count,))
-        call(lib.pdn_solution_force_effort, self._c, force, pointer(times), _count, pointer(out))
-        return out
-
-    def force_branch_effort(self, force, branch, times):
-        """Effort of one branch of a viscoelastic element, at any times: positive against growth.
-
-        Args:
-            force: id of the viscoelastic element
-            branch: number of the branch, from 0, in the order they were given
-            times: array of shape (count): times, also outside the first period
-
-        Returns:
-            out, of shape (count): force x length on an angle]
-        """
-        times = reals("times", times, (None,))
-        _count = len(times)
-        out = reals.empty((_count,))
-        call(
-            lib.pdn_solution_force_branch_effort,
-            self._c,
-            force,
-            branch,
-            pointer(times),
-            _count,
-            pointer(out),
-        )
-        return out
-
-    def force_branch_elongation(self, force, branch, times):
-        """Elongation of the dashpot of one branch of a viscoelastic element, at any times: its
-        internal state.
-
-        The branch's spring is elongated by the coordinate less this.
-
-        Args:
-            force: id of the viscoelastic element
-            branch: number of the branch, from 0, in the order they were given
-            times: array of shape (count): times, also outside the first period
-
-        Returns:
-            out, of shape (count)
-        """
-        times = reals("times", times, (None,))
-        _count = len(times)
-        out = reals.empty((_count,))
-        call(
-            lib.pdn_solution_force_branch_elongation,
-            self._c,
-            force,
-            branch,
-            pointer(times),
-            _count,
-            pointer(out),
-        )
-        return out
-
-    def force_on_node(self, force, node, frame, times):
-        """What a force exerts on one of its nodes, at any times: force, and moment about the node.
-
-        Interpolated from its values at the grid points. For forces of all kinds: those on a
-        joint coordinate act on the nodes of the joint.
-
-        Args:
-            force: id of the force
-            node: id of a node that it acts on
-            frame: FRAME_SPACE: components along the inertial axes; FRAME_MATERIAL: along the
-                node's own
-            times: array of shape (count): times, also outside the first period
-
-        Returns:
-            out, of shape (count, 6): force, then moment of each time
-        """
-        times = reals("times", times, (None,))
-        _count = len(times)
-        out = reals.empty((_count, 6))
-        call(
-            lib.pdn_solution_force_on_node,
-            self._c,
-            force,
-            node,
-            frame,
-            pointer(times),
-            _count,
-            pointer(out),
-        )
-        return out
-
-    def force_harmonics(self, force, quantity, detail, harmonics):
-        """Fourier coefficients of a force's quantity: mean + rate t + sum of cosines[j] cos jwt +
-        sines[j] sin jwt.
-
-        Those of the trigonometric polynomial through the values at the grid points.
-
-        Args:
-            force: id of the force
-            quantity: FORCE_EFFORT, ...; it has C components
-            detail: the branch (FORCE_BRANCH_...) or the node (FORCE_ON_NODE...); otherwise 0
-            harmonics: number of harmonics wanted; those above (N - 1) / 2 are zero
-
-        Returns:
-            mean, of shape (components)
-            rate, of shape (components): growth per unit of time, of a dashpot that gains turns
-            cosines, of shape (harmonics, components): components of each harmonic together
-            sines, of shape (harmonics, components): components of each harmonic together
-        """
-        components = COMPONENTS["force"].get(quantity, 9)
-        mean = reals.empty((components,))
-        rate = reals.empty((components,))
-        cosines = reals.empty((harmonics, components))
-        sines = reals.empty((harmonics, components))
-        call(
-            lib.pdn_solution_force_harmonics,
-            self._c,
-            force,
-            quantity,
-            detail,
-            harmonics,
-            pointer(mean),
-            pointer(rate),
-            pointer(cosines),
-            pointer(sines),
-        )
-        return (
-            mean[..., 0] if components == 1 else mean,
-            rate[..., 0] if components == 1 else rate,
-            cosines[..., 0] if components == 1 else cosines,
-            sines[..., 0] if components == 1 else sines,
         )
 
     def filtered(self, filter, order):
@@ -7084,92 +6423,6 @@ class Table(TableExtras):
         out = ffi.new("pdn_table **")
         call(lib.pdn_table_new, pointer(times), _count, out)
         self._own(out[0])
-
-    def add_node(self, solution, node, quantity, label=None):
-        """Adds the columns of a quantity of a node, named by the label and the component.
-
-        Components are x, y, z (position, and along the inertial axes), 1, 2, 3 (along the
-        node's own), 11, 21, 31, 12, ... (rotation matrix, row and column), w, x, y, z
-        (quaternion); angular_x, ... of velocities and accelerations.
-
-        Args:
-            solution: the solution
-            node: id of the node
-            quantity: NODE_POSITION, ...; one column for each component
-            label: columns are called `label.x` and so on; None for a name such as
-                `node3.position`
-        """
-        call(lib.pdn_table_add_node, self._c, pointer(solution), node, quantity, text(label))
-
-    def add_joint(self, solution, joint, quantity, detail, label=None):
-        """Adds the columns of a quantity of a joint: one of that name or, for reactions, six with
-        components force_x, ..., moment_x, ... (force_1, ... along joint frames).
-
-        Args:
-            solution: the solution
-            joint: id of the joint
-            quantity: JOINT_COORDINATE,
-            detail: the coordinate (DISPLACEMENT, ...) or, for JOINT_REACTION, the axes
-                (FRAME_SPACE, ...)
-            label: name of the column or, followed by a dot and the component, of the columns;
-                None for a name such as `joint2.rotation_1.rate`
-        """
-        call(
-            lib.pdn_table_add_joint,
-            self._c,
-            pointer(solution),
-            joint,
-            quantity,
-            detail,
-            text(label),
-        )
-
-    def add_beam(self, solution, element, station, quantity, label=None):
-        """Adds the six columns of strains or internal forces of a beam element at a station.
-
-        Components are axial, shear_2, shear_3, and twist, curvature_2, curvature_3 of strains
-        or torque, bending_2, bending_3 of forces.
-
-        Args:
-            solution: the solution
-            element: id of the beam element
-            station: place along the element, from -1 at its first to 1 at its last node
-            quantity: BEAM_STRAIN, BEAM_FORCE, BEAM_FORCE_MEAN or BEAM_FORCE_JUMP
-            label: columns are called `label.axial` and so on; None for a name such as
-                `beam4(0.5).force`
-        """
-        call(
-            lib.pdn_table_add_beam,
-            self._c,
-            pointer(solution),
-            element,
-            station,
-            quantity,
-            text(label),
-        )
-
-    def add_force(self, solution, force, quantity, detail, label=None):
-        """Adds the columns of a quantity of a force: one of that name or, for what it exerts on a
-        node, six with components force_x, ..., moment_x, ... (force_1, ... along the node's own
-        axes).
-
-        Args:
-            solution: the solution
-            force: id of the force
-            quantity: FORCE_EFFORT,
-            detail: the branch (FORCE_BRANCH_...) or the node (FORCE_ON_NODE...); otherwise 0
-            label: name of the column or, followed by a dot and the component, of the columns;
-                None for a name such as `force1.effort`
-        """
-        call(
-            lib.pdn_table_add_force,
-            self._c,
-            pointer(solution),
-            force,
-            quantity,
-            detail,
-            text(label),
-        )
 
     def add_values(self, label, values):
         """Adds a column of values of your own, such as one computed from several quantities.

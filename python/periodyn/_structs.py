@@ -21,8 +21,8 @@ def pointer(value, kept=None):
 
 
 class Struct:
-    """A struct of the library. Fields are attributes, and keyword arguments of the constructor,
-    where None stands for the default."""
+    """A struct of the library. Fields are attributes, and arguments of the constructor, by keyword
+    or in their order, where None stands for the default."""
 
     _type = ""
     _initialise = None
@@ -31,14 +31,21 @@ class Struct:
     def __init_subclass__(cls):
         Struct._classes[cls.__name__] = cls
 
-    def __init__(self, **fields):
+    def __init__(self, *values, **fields):
         self._c = ffi.new(f"{self._type} *")
         self._kept = []
         self._arrays = {}
         if self._initialise is not None:
             self._initialise(self._c, ffi.sizeof(self._type))
+        names = list(self._fields())
+        if len(values) > len(names):
+            raise TypeError(f"{type(self).__name__} has {len(names)} fields, not {len(values)}")
+        for name, value in zip(names, values):
+            if name in fields:
+                raise TypeError(f"{type(self).__name__} was given its field {name} twice")
+            fields[name] = value
         for name, value in fields.items():
-            if name not in self._fields():
+            if name not in names:
                 raise TypeError(f"{type(self).__name__} has no field {name}")
             if value is not None or name == "progress":
                 setattr(self, name, value)

@@ -4,6 +4,8 @@ returns them."""
 import numpy
 from matplotlib import pyplot
 
+from ._interface import NODE_POSITION, Quantity
+
 
 def _axes(axes, **options):
     return pyplot.figure().add_subplot(**options) if axes is None else axes
@@ -48,7 +50,9 @@ def lines(solution, paths, times, axes=None, **options):
     times, in space."""
     axes = _axes(axes, projection="3d")
     for path in paths:
-        positions = numpy.array([solution.node_position(node, times) for node in path])
+        positions = numpy.array(
+            [solution.sample(Quantity(NODE_POSITION, node), times) for node in path]
+        )
         for k in range(positions.shape[1]):
             axes.plot(*positions[:, k, :].T, **options)
     axes.set_aspect("equal")

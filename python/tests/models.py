@@ -18,7 +18,9 @@ def oscillator(stiffness=4.0, damping=0.1, force=np.cos):
 def response(stiffness):
     """The amplitude of the oscillator's response at frequency 1."""
     model, body, *_ = oscillator(stiffness)
-    _, cosines, sines = model.solve_periodic(2 * np.pi).node_harmonics(body, pdn.NODE_POSITION, 1)
+    _, _, cosines, sines = model.solve_periodic(2 * np.pi).harmonics(
+        pdn.Quantity(pdn.NODE_POSITION, body), 1
+    )
     return float(np.hypot(cosines[0, 0], sines[0, 0]))
 
 

@@ -36,7 +36,10 @@ def test_functions_live_as_long_as_they_are_needed():
     del model
     gc.collect()
     again = solution.model().solve_periodic(2 * np.pi)
-    assert again.node_position(body, 0.0)[0, 0] == solution.node_position(body, 0.0)[0, 0]
+    assert (
+        again.sample(pdn.Quantity(pdn.NODE_POSITION, body), 0.0)[0, 0]
+        == solution.sample(pdn.Quantity(pdn.NODE_POSITION, body), 0.0)[0, 0]
+    )
 
 
 def test_progress_sees_iterations_and_cancels():
@@ -85,8 +88,10 @@ def test_forces_on_nodes_with_tangents():
     assert model.check_tangents(user, 2 * np.pi).error < 1e-6
     expected, same, *_ = oscillator(stiffness=5.0, damping=0.2)
     np.testing.assert_allclose(
-        model.solve_periodic(2 * np.pi).node_position(body, 1.0),
-        expected.solve_periodic(2 * np.pi).node_position(same, 1.0), atol=1e-12)
+        model.solve_periodic(2 * np.pi).sample(pdn.Quantity(pdn.NODE_POSITION, body), 1.0),
+        expected.solve_periodic(2 * np.pi).sample(pdn.Quantity(pdn.NODE_POSITION, same), 1.0),
+        atol=1e-12,
+    )
 
 
 def test_tangents_are_row_by_column():
@@ -108,7 +113,7 @@ def test_tangents_are_row_by_column():
 
 def test_laws_with_and_without_derivatives():
     expected, node, *_ = oscillator()
-    wanted = expected.solve_periodic(2 * np.pi).node_position(node, 1.0)
+    wanted = expected.solve_periodic(2 * np.pi).sample(pdn.Quantity(pdn.NODE_POSITION, node), 1.0)
     laws = {
         pdn.TANGENTS_DIFFERENCED: lambda _time, x, v: 3 * x,
         pdn.TANGENTS_GIVEN: lambda _time, x, v: (3 * x, (3, 0)),
@@ -116,7 +121,7 @@ def test_laws_with_and_without_derivatives():
     for tangents, law in laws.items():
         model, body, joint, _ = oscillator(stiffness=1.0)
         model.add_coordinate_law(joint, pdn.DISPLACEMENT, tangents, law)
-        found = model.solve_periodic(2 * np.pi).node_position(body, 1.0)
+        found = model.solve_periodic(2 * np.pi).sample(pdn.Quantity(pdn.NODE_POSITION, body), 1.0)
         np.testing.assert_allclose(found, wanted, atol=1e-10)
 
 

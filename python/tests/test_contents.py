@@ -23,11 +23,13 @@ def test_geared_wheels_are_one_inertia():
     solution = model.solve_periodic(2 * np.pi)
     times = np.linspace(0, 6, 7)
     exact = np.cos(times) / (3 - 0.4 - 2.5**2 * 0.15)
-    first, second = (solution.joint_coordinate(j, pdn.ROTATION, times) for j in joints)
+    first, second = (
+        solution.sample(pdn.Quantity(pdn.JOINT_COORDINATE, j, pdn.ROTATION), times) for j in joints
+    )
     np.testing.assert_allclose(first, exact, atol=1e-6)
     np.testing.assert_allclose(second, -2.5 * first, atol=1e-6)
-    effort = solution.sample_quantity(
-        pdn.Quantity(kind=pdn.QUANTITY_RELATION_EFFORT, object=relation, component=1), times)
+    effort = solution.sample(
+        pdn.Quantity(kind=pdn.RELATION_EFFORT, object=relation, component=1), times)
     np.testing.assert_allclose(np.ravel(effort), 0.15 * 2.5 * exact, atol=1e-5)
     assert model.relation_term(relation, 0) == (joints[0], pdn.ROTATION, -2.5)
 

@@ -42,10 +42,10 @@ def test_an_integral_makes_it_third_order(tangents):
     s = 1j * OMEGA
     response = 0.9 / (STIFFNESS + MASS * s**2 + LOSS * s + INTEGRAL / s)
     wave = np.exp(s * times)
-    found = solution.joint_coordinate(slide, pdn.DISPLACEMENT, times)
+    found = solution.sample(pdn.Quantity(pdn.JOINT_COORDINATE, slide, pdn.DISPLACEMENT), times)
     np.testing.assert_allclose(found, (response * wave).real, atol=1e-11)
-    quantity = pdn.Quantity(kind=pdn.QUANTITY_CONTROL_STATE, object=force)
-    found = np.ravel(solution.sample_quantity(quantity, times))
+    quantity = pdn.Quantity(kind=pdn.FORCE_CONTROL_STATE, object=force)
+    found = np.ravel(solution.sample(quantity, times))
     np.testing.assert_allclose(found, (response / s * wave).real, atol=1e-11)
     assert model.controller_counts(force) == (1, 1, 1)
     assert model.controller_coordinate(force, 1) == (slide, pdn.DISPLACEMENT)
@@ -64,7 +64,7 @@ def test_without_states_and_inputs_it_is_a_function_of_time():
     model.add_controller([slide], [pdn.DISPLACEMENT], pdn.TANGENTS_DIFFERENCED, push)
     solution = model.solve_periodic(2 * np.pi / OMEGA, grid_points=5)
     exact = 1 / (STIFFNESS - MASS * OMEGA**2)
-    found = solution.joint_coordinate(slide, pdn.DISPLACEMENT, [0.0])
+    found = solution.sample(pdn.Quantity(pdn.JOINT_COORDINATE, slide, pdn.DISPLACEMENT), [0.0])
     np.testing.assert_allclose(found, exact, atol=1e-11)
 
 

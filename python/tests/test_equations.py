@@ -24,7 +24,9 @@ def test_newton_with_a_fixed_point_iteration_finds_what_the_library_finds():
     found = equations.solution()
     times = numpy.linspace(0, period, 7)
     node = int(equations.nodes()[0])
-    difference = found.node_position(node, times) - expected.node_position(node, times)
+    difference = found.sample(pdn.Quantity(pdn.NODE_POSITION, node), times) - expected.sample(
+        pdn.Quantity(pdn.NODE_POSITION, node), times
+    )
     assert abs(difference).max() < 1e-10
     motions, own = equations.state()
     equations.set_state(motions, own)

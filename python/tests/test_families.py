@@ -15,7 +15,7 @@ def driven():
     actuator = model.add_actuator(joint, pdn.DISPLACEMENT, 0.0)
     mean = model.add_parameter("mean", 0.0, 1.0)
     model.move_signal(mean, pdn.SIGNAL_OF_ACTUATOR, actuator, 0, pdn.PART_MEAN, 1.0)
-    coordinate = pdn.Quantity(kind=pdn.QUANTITY_COORDINATE, object=joint,
+    coordinate = pdn.Quantity(kind=pdn.JOINT_COORDINATE, object=joint,
                               component=pdn.DISPLACEMENT)
     return model, body, mean, coordinate
 
@@ -24,13 +24,15 @@ def test_quantities_are_what_the_functions_of_old_give():
     model, body, _, coordinate = driven()
     solution = model.solve_periodic(2 * np.pi)
     times = np.linspace(0, 6, 7)
-    position = pdn.Quantity(kind=pdn.QUANTITY_POSITION, object=body)
-    sampled = solution.sample_quantity(position, times)
-    np.testing.assert_array_equal(sampled, solution.node_position(body, times))
+    position = pdn.Quantity(kind=pdn.NODE_POSITION, object=body)
+    sampled = solution.sample(position, times)
+    np.testing.assert_array_equal(
+        sampled, solution.sample(pdn.Quantity(pdn.NODE_POSITION, body), times)
+    )
     amplitude = 1 / abs(3 + 0.1j)
-    mean, _rate, cosines, sines = solution.quantity_harmonics(coordinate, 2)
+    mean, _rate, cosines, sines = solution.harmonics(coordinate, 2)
     assert np.hypot(cosines[0], sines[0]) == pytest.approx(amplitude)
-    least, _, largest, at = solution.quantity_extremes(coordinate)
+    least, _, largest, at = solution.extremes(coordinate)
     assert np.ravel(largest)[0] == pytest.approx(amplitude, rel=1e-6)
     assert np.ravel(least)[0] == pytest.approx(-amplitude, rel=1e-6)
     assert np.ravel(at)[0] == pytest.approx(np.angle(3 + 0.1j), abs=1e-3)
@@ -66,10 +68,10 @@ def test_response_over_frequencies(tmp_path):
     assert branch.end() == pdn.BRANCH_RANGE
     assert len(branch) > 5 and [number for number, _ in seen] == list(range(1, len(seen) + 1))
     for point, frequency in enumerate(branch.parameters):
-        *_, cosines, sines = branch.solution(point).quantity_harmonics(coordinate, 1)
+        *_, cosines, sines = branch.solution(point).harmonics(coordinate, 1)
         exact = 1 / abs(4 - frequency**2 + 0.1j * frequency)
         assert np.hypot(cosines[0], sines[0]) == pytest.approx(exact, rel=1e-6)
-    position = pdn.Quantity(kind=pdn.QUANTITY_POSITION, object=body)
+    position = pdn.Quantity(kind=pdn.NODE_POSITION, object=body)
     branch.write_csv(tmp_path / "branch.csv", [position, coordinate])
     assert len((tmp_path / "branch.csv").read_text().splitlines()) == len(branch) + 1
     names = (tmp_path / "branch.csv").read_text().splitlines()[0].split(",")
@@ -120,8 +122,8 @@ def test_a_frame_that_turns_softens_a_radial_spring():
     assert rate == 1.0
     found = model.add_parameter("rate", 1.0, 1.0)
     model.move_number(found, pdn.NUMBER_FRAME_RATE, 0, 0, 1.0)
-    position = pdn.Quantity(kind=pdn.QUANTITY_POSITION, object=body, component=0)
-    _, _, cosines, sines = model.solve_periodic(2 * np.pi).quantity_harmonics(position, 1)
+    position = pdn.Quantity(kind=pdn.NODE_POSITION, object=body, component=0)
+    _, _, cosines, sines = model.solve_periodic(2 * np.pi).harmonics(position, 1)
     # 4 - rate^2 is what the spring has left.
     amplitude = 1 / abs(2 + 0.1j)
     assert np.hypot(cosines[0], sines[0]) == pytest.approx(amplitude)

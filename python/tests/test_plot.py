@@ -17,8 +17,9 @@ def test_curves_of_a_solve():
     drawn = plot.decay(solution).lines[0].get_ydata()
     assert len(drawn) == len(solution.decay())
     assert len(plot.iterations(solution).lines) == 2
-    mean, _, cosines, sines = solution.joint_harmonics(joint, pdn.JOINT_COORDINATE,
-                                                       pdn.DISPLACEMENT, 3)
+    mean, _, cosines, sines = solution.harmonics(
+        pdn.Quantity(pdn.JOINT_COORDINATE, joint, pdn.DISPLACEMENT), 3
+    )
     heights = [bar.get_height() for bar in plot.harmonics(mean, cosines, sines).patches]
     assert heights[1] == pytest.approx(1 / abs(3 + 0.1j))
     with pytest.raises(ValueError, match="choose a column"):

@@ -26,21 +26,25 @@ def test_an_oscillator_follows_its_force(force):
     solution = model.solve_periodic(2 * np.pi)
     assert solution.converged and solution.outcome_name == "CONVERGED"
     assert "converged" in str(solution)
-    position = solution.node_position(body, TIMES)
+    position = solution.sample(pdn.Quantity(pdn.NODE_POSITION, body), TIMES)
     assert position.shape == (9, 3)
     np.testing.assert_allclose(position[:, 0], exact(TIMES), atol=1e-12)
-    coordinate = solution.joint_coordinate(joint, pdn.DISPLACEMENT, TIMES)
+    coordinate = solution.sample(pdn.Quantity(pdn.JOINT_COORDINATE, joint, pdn.DISPLACEMENT), TIMES)
     np.testing.assert_allclose(coordinate, exact(TIMES), atol=1e-12)
-    rate = solution.joint_rate(joint, pdn.DISPLACEMENT, TIMES)
-    np.testing.assert_allclose(solution.force_effort(spring, TIMES), 4 * coordinate + 0.1 * rate,
-                               atol=1e-12)
-    mean, cosines, sines = solution.node_harmonics(body, pdn.NODE_POSITION, 3)
+    rate = solution.sample(pdn.Quantity(pdn.JOINT_RATE, joint, pdn.DISPLACEMENT), TIMES)
+    np.testing.assert_allclose(
+        solution.sample(pdn.Quantity(pdn.FORCE_EFFORT, spring), TIMES),
+        4 * coordinate + 0.1 * rate,
+        atol=1e-12,
+    )
+    mean, _, cosines, sines = solution.harmonics(pdn.Quantity(pdn.NODE_POSITION, body), 3)
     assert mean.shape == (3,) and cosines.shape == sines.shape == (3, 3)
     factor = 1 / (3 + 0.1j)
     np.testing.assert_allclose([cosines[0, 0], sines[0, 0]], [factor.real, -factor.imag],
                                atol=1e-12)
-    mean, rate, cosines, sines = solution.joint_harmonics(joint, pdn.JOINT_COORDINATE,
-                                                          pdn.DISPLACEMENT, 3)
+    mean, rate, cosines, sines = solution.harmonics(
+        pdn.Quantity(pdn.JOINT_COORDINATE, joint, pdn.DISPLACEMENT), 3
+    )
     assert mean.shape == () and cosines.shape == (3,)
     assert len(solution.decay()) == (solution.diagnostics().grid_points + 1) // 2
     assert len(solution.history()[0]) == solution.diagnostics().iterations
@@ -55,7 +59,10 @@ def test_matrices_are_rows_by_columns():
     np.testing.assert_array_equal(frame.position, [1, 2, 3])
     model.add_mass(node, 1, [1, 2, 3], np.eye(3))
     model.add_joint(pdn.JOINT_RIGID, pdn.GROUND, node, frame, frame)
-    rotation = model.solve_static().node_rotation(node, [0.0, 1.0])
+    rotation = model.solve_static().sample(pdn.Quantity(pdn.NODE_ROTATION, node), [0.0, 1.0])
+    # Column by column.
+    assert rotation.shape == (2, 9)
+    rotation = rotation.reshape(2, 3, 3).swapaxes(1, 2)
     np.testing.assert_allclose(rotation, [turned, turned], atol=1e-12)
 
     # A section whose damping couples axial rate to a moment only: row 0, column 4.
@@ -84,7 +91,7 @@ def test_a_turning_frame_is_found_again():
 def test_a_cantilever_bends_and_vibrates():
     model, beam, bending = cantilever()
     static = model.solve_static()
-    deflection = static.node_position(beam.last, 0.0)[0, 2]
+    deflection = static.sample(pdn.Quantity(pdn.NODE_POSITION, beam.last), 0.0)[0, 2]
     assert deflection == pytest.approx(1 / (3 * bending), rel=1e-4)
     modes = model.solve_modes(count=4)
     assert len(modes) == 4 and modes.converged
@@ -114,7 +121,9 @@ def test_stations_along_a_line():
 def test_solutions_are_pickled_and_read_again(tmp_path):
     solution = solution_for(4.0)
     again = pickle.loads(pickle.dumps(solution))
-    kept, given = (s.node_position(pdn.FIRST_NODE, TIMES) for s in (again, solution))
+    kept, given = (
+        s.sample(pdn.Quantity(pdn.NODE_POSITION, pdn.FIRST_NODE), TIMES) for s in (again, solution)
+    )
     np.testing.assert_array_equal(kept, given)
     solution.save(tmp_path / "saved")
     assert pdn.Solution.load(tmp_path / "saved").model().node_count() == 1
@@ -122,7 +131,7 @@ def test_solutions_are_pickled_and_read_again(tmp_path):
 
 def test_models_are_copied_pickled_and_read_again(tmp_path):
     model, body, *_ = oscillator(force=pdn.Signal().set_harmonics(cosines=[1]))
-    wanted = model.solve_periodic(2 * np.pi).node_position(body, TIMES)
+    wanted = model.solve_periodic(2 * np.pi).sample(pdn.Quantity(pdn.NODE_POSITION, body), TIMES)
     model.save(tmp_path / "model")
     others = [model.copy(), pickle.loads(pickle.dumps(model)), pdn.Model.load(tmp_path / "model")]
     for other in others:
@@ -130,13 +139,15 @@ def test_models_are_copied_pickled_and_read_again(tmp_path):
         assert other.node_count() == model.node_count() + 1
     model.add_load(body, pdn.FRAME_SPACE, pdn.FORCE_1, 1.0)
     again = pdn.Model.load(tmp_path / "model").solve_periodic(2 * np.pi)
-    np.testing.assert_array_equal(again.node_position(body, TIMES), wanted)
+    np.testing.assert_array_equal(
+        again.sample(pdn.Quantity(pdn.NODE_POSITION, body), TIMES), wanted
+    )
 
     # Functions go with copies, but not into files.
     model, body, *_ = oscillator(force=np.cos)
     copy = model.copy()
     del model
-    found = copy.solve_periodic(2 * np.pi).node_position(body, TIMES)
+    found = copy.solve_periodic(2 * np.pi).sample(pdn.Quantity(pdn.NODE_POSITION, body), TIMES)
     np.testing.assert_allclose(found, wanted, atol=1e-12)
     with pytest.raises(pdn.Error, match="loaded from a file"):
         pickle.loads(pickle.dumps(copy)).solve_periodic(2 * np.pi)
@@ -145,7 +156,7 @@ def test_models_are_copied_pickled_and_read_again(tmp_path):
 def test_tables(tmp_path):
     solution = solution_for(4.0)
     table = pdn.Table(TIMES)
-    table.add_node(solution, pdn.FIRST_NODE, pdn.NODE_POSITION, "mass")
+    table.add_quantity(solution, pdn.Quantity(pdn.NODE_POSITION, pdn.FIRST_NODE), "mass")
     table.add_values("twice", 2 * TIMES)
     table.write_csv(tmp_path / "table.csv")
     read = np.genfromtxt(tmp_path / "table.csv", delimiter=",", names=True)
@@ -177,7 +188,9 @@ def test_a_start_that_is_the_motion_itself_is_kept():
     march = model.march(duration=1e-3, step=1e-3, positions=[[1, 0, 0], [2, 0, 0]],
                         rotations=[np.eye(3)] * 2, velocities=[[0, 0.6, 0, 0, 0, 0.6],
                                                                [0, 1.2, 0, 0, 0, 0.6]])
-    np.testing.assert_allclose(march.node_position(tip, [0.0])[0], [2, 0, 0], atol=1e-14)
+    np.testing.assert_allclose(
+        march.sample(pdn.Quantity(pdn.NODE_POSITION, tip), [0.0])[0], [2, 0, 0], atol=1e-14
+    )
 
 
 def test_marches_start_where_they_are_told():
@@ -185,7 +198,7 @@ def test_marches_start_where_they_are_told():
     march = model.march(duration=1.0, step=0.01, positions=[[1, 0, 0]], rotations=[np.eye(3)],
                         velocities=np.zeros((1, 6)))
     assert march.march().steps == 100
-    end = march.node_position(body, 1.0)[0, 0]
+    end = march.sample(pdn.Quantity(pdn.NODE_POSITION, body), 1.0)[0, 0]
     assert end == pytest.approx(np.cos(2.0), abs=2e-3)
     with pytest.raises(pdn.Error, match="positions: expected an array of 1 x 3, got 2 x 3"):
         model.march(duration=1.0, step=0.01, positions=np.zeros((2, 3)))

@@ -52,13 +52,13 @@ def test_a_traction_stretches_a_strip(add):
     tip = model.shell_node(SECOND, 2, 0)
     assert tip == model.shell_patch_node(shell, 4, 0)
     stress = pdn.Quantity()
-    stress.kind, stress.object, stress.direction = pdn.QUANTITY_STRESS_TOP, SECOND, [0, 1, 0]
-    stresses = solution.sample_quantity(stress, [0])
+    stress.kind, stress.object, stress.direction = pdn.SHELL_STRESS_TOP, SECOND, [0, 1, 0]
+    stresses = solution.sample(stress, [0])
     np.testing.assert_allclose(stresses, [[0, 600 / THICKNESS, 0, 600 / THICKNESS]], atol=1e-5)
-    stretch = solution.node_position(tip, [0])[0, 0] - LENGTH
+    stretch = solution.sample(pdn.Quantity(pdn.NODE_POSITION, tip), [0])[0, 0] - LENGTH
     np.testing.assert_allclose(stretch, 600 * LENGTH / (YOUNG * THICKNESS), rtol=1e-12)
     model.set_shell_prestress(shell.first_element, 2, 600 * np.eye(12)[0])
-    place = model.solve_static().node_position(tip, [0])[0, 0]
+    place = model.solve_static().sample(pdn.Quantity(pdn.NODE_POSITION, tip), [0])[0, 0]
     np.testing.assert_allclose(place, LENGTH, rtol=1e-12)
 
 
@@ -83,7 +83,9 @@ def test_a_pressure_by_a_function_is_the_load():
             assert model.force(force).shell_element == SECOND
             if given == pdn.TANGENTS_GIVEN:
                 assert model.check_tangents(force, 1.0).error < 1e-7
-        return model.solve_static().node_position(model.shell_node(SECOND, 2, 0), [0])[0, 2]
+        return model.solve_static().sample(
+            pdn.Quantity(pdn.NODE_POSITION, model.shell_node(SECOND, 2, 0)), [0]
+        )[0, 2]
 
     assert bent(None) > 1e-3
     for given in (pdn.TANGENTS_GIVEN, pdn.TANGENTS_DIFFERENCED):

@@ -209,7 +209,11 @@ pub(super) fn feature(call: &Call, feature: i32, at: f64) -> Result<Feature> {
         PDN_FEATURE_COSINE => Feature::Cosine(harmonic()?),
         PDN_FEATURE_SINE => Feature::Sine(harmonic()?),
         PDN_FEATURE_VALUE => Feature::At(call.number(at, "at")?),
-        other => return Err(Error::value("feature", "a constant PDN_FEATURE_...", other)),
+        other => {
+            let expected = "PDN_FEATURE_MEAN, PDN_FEATURE_COSINE, PDN_FEATURE_SINE or \
+                            PDN_FEATURE_VALUE (extremes are of sensitivities only)";
+            return Err(Error::value("feature", expected, other));
+        }
     })
 }
 

@@ -81,7 +81,6 @@ pub mod equations;
 pub mod files;
 pub mod filter;
 pub mod force;
-pub mod force_solution;
 pub mod guard;
 pub mod id;
 pub mod joint;

@@ -10,10 +10,12 @@ use super::load::pdn_model_add_load;
 use super::march::{pdn_march, pdn_march_options_init};
 use super::model::{pdn_model, pdn_model_add_rigid_body, pdn_model_free, pdn_model_new};
 use super::modes::{pdn_modes_free, pdn_solve_modes};
+use super::options::Options;
 use super::periodic::{pdn_periodic_options_init, pdn_solve_periodic};
+use super::quantity::{PDN_NODE_POSITION, pdn_quantity, pdn_solution_sample};
 use super::shooting::{pdn_shooting_options_init, pdn_solve_shooting};
 use super::signal::{pdn_signal, pdn_signal_init, pdn_signal_set_harmonics};
-use super::solution::{pdn_solution, pdn_solution_free, pdn_solution_node_position};
+use super::solution::{pdn_solution, pdn_solution_free};
 use super::stability::{pdn_solve_stability, pdn_stability_free};
 use super::statics::{pdn_solve_static, pdn_static_options_init};
 use super::status::{PDN_ERR_PANIC, PDN_OK, pdn_status};
@@ -178,8 +180,19 @@ fn look(model: *const pdn_model, attempt: Attempt) -> [u64; 6] {
     let (times, mut positions) = ([0.1, 0.17], [0.0; 6]);
     let mut solution = null_mut();
     assert_eq!(attempt(model, &raw mut solution), PDN_OK);
-    let (body, times, to) = (PDN_FIRST_NODE + 1, times.as_ptr(), positions.as_mut_ptr());
-    ok!(pdn_solution_node_position(solution, body, times, 2, to));
+    let position = pdn_quantity {
+        kind: PDN_NODE_POSITION,
+        object: PDN_FIRST_NODE + 1,
+        ..pdn_quantity::defaults()
+    };
+    let (times, to) = (times.as_ptr(), positions.as_mut_ptr());
+    ok!(pdn_solution_sample(
+        solution,
+        &raw const position,
+        times,
+        2,
+        to
+    ));
     // SAFETY: as above.
     unsafe { pdn_solution_free(solution) };
     positions.map(f64::to_bits)

@@ -4,82 +4,82 @@ use super::call::Call;
 use super::guard::{guard, init};
 use super::id::Kind;
 use super::joint::coordinate;
-use super::load::{PDN_FRAME_SPACE, load_frame};
+use super::load::{PDN_FRAME_MATERIAL, PDN_FRAME_SPACE, load_frame};
 use super::options::Options;
 use super::pointer::check_pointer;
-use super::solution::{
-    Samples, SeriesOut, beam_at, harmonics_of, in_frame, pdn_solution, place, reaction,
-};
+use super::solution::{PDN_FRAME_FIRST, PDN_FRAME_SECOND, pdn_solution, place};
 use super::status::pdn_status;
 use super::table::{add, pdn_table};
 use crate::elements::{Coordinate, ShellPoint, ShellSide};
 use crate::error::{Error, Result, require_finite};
+use crate::fourier::PeriodicSeries;
+use crate::memory;
 use crate::output::{
-    BeamQuantity, Extremes, ForceQuantity, JointQuantity, NodeQuantity, Quantity, Selection,
-    ShellQuantity,
+    BeamQuantity, Extremes, ForceQuantity, JointQuantity, NodeQuantity, Quantity, ResolvedIn,
+    Selection, ShellQuantity,
 };
 use libc::c_char;
 use nalgebra::Vector3;
 
 /// Kind of quantity: position of a node; 3 components \[length\].
-pub const PDN_QUANTITY_POSITION: i32 = 100;
+pub const PDN_NODE_POSITION: i32 = 100;
 /// Kind of quantity: rotation matrix of a node, column by column; 9 components.
-pub const PDN_QUANTITY_ROTATION: i32 = 101;
+pub const PDN_NODE_ROTATION: i32 = 101;
 /// Kind of quantity: unit quaternion (w, x, y, z) of a node, of continuous sign; 4 components.
-pub const PDN_QUANTITY_QUATERNION: i32 = 102;
+pub const PDN_NODE_QUATERNION: i32 = 102;
 /// Kind of quantity: velocity and angular velocity of a node, in a frame; 6 components.
-pub const PDN_QUANTITY_VELOCITY: i32 = 103;
+pub const PDN_NODE_VELOCITY: i32 = 103;
 /// Kind of quantity: acceleration and angular acceleration of a node, in a frame; 6 components.
-pub const PDN_QUANTITY_ACCELERATION: i32 = 104;
+pub const PDN_NODE_ACCELERATION: i32 = 104;
 /// Kind of quantity: a coordinate of a joint, angles followed through whole turns.
-pub const PDN_QUANTITY_COORDINATE: i32 = 200;
+pub const PDN_JOINT_COORDINATE: i32 = 200;
 /// Kind of quantity: rate of a coordinate of a joint.
-pub const PDN_QUANTITY_COORDINATE_RATE: i32 = 201;
+pub const PDN_JOINT_RATE: i32 = 201;
 /// Kind of quantity: second derivative in time of a coordinate of a joint.
-pub const PDN_QUANTITY_COORDINATE_ACCELERATION: i32 = 202;
+pub const PDN_JOINT_ACCELERATION: i32 = 202;
 /// Kind of quantity: force or torque that drives a prescribed coordinate of a joint.
-pub const PDN_QUANTITY_DRIVING_EFFORT: i32 = 203;
+pub const PDN_JOINT_DRIVING_EFFORT: i32 = 203;
 /// Kind of quantity: force and moment of a joint on its second body, along axes; 6 components.
-pub const PDN_QUANTITY_REACTION: i32 = 204;
+pub const PDN_JOINT_REACTION: i32 = 204;
 /// Kind of quantity: strains and curvatures of a beam element; 6 components.
-pub const PDN_QUANTITY_STRAIN: i32 = 300;
+pub const PDN_BEAM_STRAIN: i32 = 300;
 /// Kind of quantity: internal forces and moments of a beam element; 6 components.
-pub const PDN_QUANTITY_BEAM_FORCE: i32 = 301;
+pub const PDN_BEAM_FORCE: i32 = 301;
 /// Kind of quantity: the same, at a node between two elements the mean of those of both.
-pub const PDN_QUANTITY_BEAM_FORCE_MEAN: i32 = 302;
+pub const PDN_BEAM_FORCE_MEAN: i32 = 302;
 /// Kind of quantity: at a node between two elements, internal forces of the one beyond it less
 /// those of the one before it; zero elsewhere; 6 components.
-pub const PDN_QUANTITY_BEAM_FORCE_JUMP: i32 = 303;
+pub const PDN_BEAM_FORCE_JUMP: i32 = 303;
 /// Kind of quantity: effort of a force on its joint coordinate.
-pub const PDN_QUANTITY_EFFORT: i32 = 400;
+pub const PDN_FORCE_EFFORT: i32 = 400;
 /// Kind of quantity: effort of a branch of a viscoelastic element.
-pub const PDN_QUANTITY_BRANCH_EFFORT: i32 = 401;
+pub const PDN_FORCE_BRANCH_EFFORT: i32 = 401;
 /// Kind of quantity: elongation of the dashpot of a branch of a viscoelastic element.
-pub const PDN_QUANTITY_BRANCH_ELONGATION: i32 = 402;
+pub const PDN_FORCE_BRANCH_ELONGATION: i32 = 402;
 /// Kind of quantity: what a force exerts on one of its nodes, in a frame: force and moment; 6
 /// components.
-pub const PDN_QUANTITY_FORCE_ON_NODE: i32 = 403;
+pub const PDN_FORCE_ON_NODE: i32 = 403;
 /// Kind of quantity: the efforts of a bushing against its deformation, forces along the axes of its
 /// first frame and moments; 6 components.
-pub const PDN_QUANTITY_BUSHING_EFFORTS: i32 = 404;
+pub const PDN_FORCE_BUSHING_EFFORTS: i32 = 404;
 /// Kind of quantity: effort of a controller on one of the coordinates that it acts on, towards
 /// growth.
-pub const PDN_QUANTITY_CONTROL_EFFORT: i32 = 405;
+pub const PDN_FORCE_CONTROL_EFFORT: i32 = 405;
 /// Kind of quantity: a state of a controller.
-pub const PDN_QUANTITY_CONTROL_STATE: i32 = 406;
+pub const PDN_FORCE_CONTROL_STATE: i32 = 406;
 /// Kind of quantity: strains of a shell element, in the order of ::pdn_shell_section; 12
 /// components.
-pub const PDN_QUANTITY_SHELL_STRAIN: i32 = 500;
+pub const PDN_SHELL_STRAIN: i32 = 500;
 /// Kind of quantity: forces and moments of a shell element per unit of reference length, in the
 /// same order: N11 N12 Q1 M11 M12 M1n, N21 N22 Q2 M21 M22 M2n; 12 components.
-pub const PDN_QUANTITY_SHELL_RESULTANT: i32 = 501;
+pub const PDN_SHELL_RESULTANT: i32 = 501;
 /// Kind of quantity: stresses 11, 22, 12 at the surface of an isotropic shell that its normal
 /// points out of, and von Mises' stress of these \[force / length^2\]; 4 components.
-pub const PDN_QUANTITY_STRESS_TOP: i32 = 502;
+pub const PDN_SHELL_STRESS_TOP: i32 = 502;
 /// Kind of quantity: the same at the other surface; 4 components.
-pub const PDN_QUANTITY_STRESS_BOTTOM: i32 = 503;
+pub const PDN_SHELL_STRESS_BOTTOM: i32 = 503;
 /// Kind of quantity: effort of a linear relation on one of its joint coordinates, towards growth.
-pub const PDN_QUANTITY_RELATION_EFFORT: i32 = 600;
+pub const PDN_RELATION_EFFORT: i32 = 600;
 
 /// All components of a quantity.
 pub const PDN_ALL_COMPONENTS: i32 = -2;
@@ -92,7 +92,7 @@ pub const PDN_ALL_COMPONENTS: i32 = -2;
 pub struct pdn_quantity {
     /// Set by the initialiser.
     pub struct_size: usize,
-    /// PDN_QUANTITY_POSITION, ...; there is no default.
+    /// PDN_NODE_POSITION, ...; there is no default.
     pub kind: i32,
     /// Id of the node, joint, beam element, shell element, force or relation that it is of.
     pub object: i32,
@@ -149,44 +149,49 @@ impl pdn_quantity {
     fn meant(&self) -> Result<Selection> {
         let object = |kind: Kind| kind.index(self.object, "quantity.object");
         let of_node = |quantity| Ok(Quantity::Node(object(Kind::Node)?, quantity));
-        let in_frame = |space, material| of_node(in_frame(self.frame, space, material)?);
+        let in_frame = |space, material| of_node(self.in_frame(space, material)?);
         let of_joint = |quantity| Ok(Quantity::Joint(object(Kind::Joint)?, quantity));
-        let of_beam = |quantity| beam_at((self.object, "quantity.object"), self.station, quantity);
+        let of_beam = |quantity| {
+            Ok(Quantity::Beam {
+                element: object(Kind::BeamElement)?,
+                station: self.station,
+                quantity,
+            })
+        };
         let of_force = |quantity| Ok(Quantity::Force(object(Kind::Force)?, quantity));
         let branch = || place(self.branch, "quantity.branch");
         let quantity: Result<Quantity> = match self.kind {
-            PDN_QUANTITY_POSITION => of_node(NodeQuantity::Position),
-            PDN_QUANTITY_ROTATION => of_node(NodeQuantity::RotationMatrix),
-            PDN_QUANTITY_QUATERNION => of_node(NodeQuantity::Quaternion),
-            PDN_QUANTITY_VELOCITY => {
-                in_frame(NodeQuantity::Velocity, NodeQuantity::MaterialVelocity)
-            }
-            PDN_QUANTITY_ACCELERATION => in_frame(
+            PDN_NODE_POSITION => of_node(NodeQuantity::Position),
+            PDN_NODE_ROTATION => of_node(NodeQuantity::RotationMatrix),
+            PDN_NODE_QUATERNION => of_node(NodeQuantity::Quaternion),
+            PDN_NODE_VELOCITY => in_frame(NodeQuantity::Velocity, NodeQuantity::MaterialVelocity),
+            PDN_NODE_ACCELERATION => in_frame(
                 NodeQuantity::Acceleration,
                 NodeQuantity::MaterialAcceleration,
             ),
-            PDN_QUANTITY_REACTION => of_joint(reaction(self.frame, "quantity.frame")?),
-            PDN_QUANTITY_STRAIN => of_beam(BeamQuantity::Strain),
-            PDN_QUANTITY_BEAM_FORCE => of_beam(BeamQuantity::Force),
-            PDN_QUANTITY_BEAM_FORCE_MEAN => of_beam(BeamQuantity::MeanForce),
-            PDN_QUANTITY_BEAM_FORCE_JUMP => of_beam(BeamQuantity::ForceJump),
-            PDN_QUANTITY_SHELL_STRAIN => self.of_shell(ShellQuantity::Strain),
-            PDN_QUANTITY_SHELL_RESULTANT => self.of_shell(ShellQuantity::Resultant),
-            PDN_QUANTITY_STRESS_TOP => self.of_shell(ShellQuantity::SurfaceStress(ShellSide::Top)),
-            PDN_QUANTITY_STRESS_BOTTOM => {
+            PDN_JOINT_REACTION => of_joint(self.reaction()?),
+            PDN_BEAM_STRAIN => of_beam(BeamQuantity::Strain),
+            PDN_BEAM_FORCE => of_beam(BeamQuantity::Force),
+            PDN_BEAM_FORCE_MEAN => of_beam(BeamQuantity::MeanForce),
+            PDN_BEAM_FORCE_JUMP => of_beam(BeamQuantity::ForceJump),
+            PDN_SHELL_STRAIN => self.of_shell(ShellQuantity::Strain),
+            PDN_SHELL_RESULTANT => self.of_shell(ShellQuantity::Resultant),
+            PDN_SHELL_STRESS_TOP => self.of_shell(ShellQuantity::SurfaceStress(ShellSide::Top)),
+            PDN_SHELL_STRESS_BOTTOM => {
                 self.of_shell(ShellQuantity::SurfaceStress(ShellSide::Bottom))
             }
-            PDN_QUANTITY_EFFORT => of_force(ForceQuantity::Effort),
-            PDN_QUANTITY_BUSHING_EFFORTS => of_force(ForceQuantity::BushingEfforts),
-            PDN_QUANTITY_BRANCH_EFFORT => of_force(ForceQuantity::BranchEffort(branch()?)),
-            PDN_QUANTITY_BRANCH_ELONGATION => of_force(ForceQuantity::BranchElongation(branch()?)),
-            PDN_QUANTITY_CONTROL_EFFORT => of_force(ForceQuantity::ControlEffort(branch()?)),
-            PDN_QUANTITY_CONTROL_STATE => of_force(ForceQuantity::ControlState(branch()?)),
-            PDN_QUANTITY_FORCE_ON_NODE => {
+            PDN_FORCE_EFFORT => of_force(ForceQuantity::Effort),
+            PDN_FORCE_BUSHING_EFFORTS => of_force(ForceQuantity::BushingEfforts),
+            PDN_FORCE_BRANCH_EFFORT => of_force(ForceQuantity::BranchEffort(branch()?)),
+            PDN_FORCE_BRANCH_ELONGATION => of_force(ForceQuantity::BranchElongation(branch()?)),
+            PDN_FORCE_CONTROL_EFFORT => of_force(ForceQuantity::ControlEffort(branch()?)),
+            PDN_FORCE_CONTROL_STATE => of_force(ForceQuantity::ControlState(branch()?)),
+            PDN_FORCE_ON_NODE => {
                 let node = Kind::Node.index(self.node, "quantity.node")?;
-                of_force(ForceQuantity::OnNode(node, load_frame(self.frame)?))
+                let frame = load_frame(self.frame).map_err(|e| e.within("quantity"))?;
+                of_force(ForceQuantity::OnNode(node, frame))
             }
-            PDN_QUANTITY_RELATION_EFFORT => {
+            PDN_RELATION_EFFORT => {
                 let quantity = Quantity::RelationEffort {
                     relation: object(Kind::Relation)?,
                     coordinate: place(self.component, "quantity.component")?,
@@ -209,6 +214,31 @@ impl pdn_quantity {
             quantity,
             component,
         })
+    }
+
+    /// Velocities and accelerations along the axes that are asked for.
+    fn in_frame(&self, space: NodeQuantity, material: NodeQuantity) -> Result<NodeQuantity> {
+        match self.frame {
+            PDN_FRAME_SPACE => Ok(space),
+            PDN_FRAME_MATERIAL => Ok(material),
+            frame => {
+                let expected = "PDN_FRAME_SPACE or PDN_FRAME_MATERIAL";
+                Err(Error::value("quantity.frame", expected, frame))
+            }
+        }
+    }
+
+    fn reaction(&self) -> Result<JointQuantity> {
+        let axes = match self.frame {
+            PDN_FRAME_SPACE => ResolvedIn::Space,
+            PDN_FRAME_FIRST => ResolvedIn::First,
+            PDN_FRAME_SECOND => ResolvedIn::Second,
+            frame => {
+                let expected = "PDN_FRAME_SPACE, PDN_FRAME_FIRST or PDN_FRAME_SECOND";
+                return Err(Error::value("quantity.frame", expected, frame));
+            }
+        };
+        Ok(JointQuantity::Reaction(axes))
     }
 
     fn of_shell(&self, quantity: ShellQuantity) -> Result<Quantity> {
@@ -234,12 +264,12 @@ impl pdn_quantity {
 
     fn of_coordinate(&self) -> Result<JointQuantity> {
         let kind: fn(Coordinate) -> JointQuantity = match self.kind {
-            PDN_QUANTITY_COORDINATE => JointQuantity::Coordinate,
-            PDN_QUANTITY_COORDINATE_RATE => JointQuantity::Rate,
-            PDN_QUANTITY_COORDINATE_ACCELERATION => JointQuantity::Acceleration,
-            PDN_QUANTITY_DRIVING_EFFORT => JointQuantity::DrivingEffort,
+            PDN_JOINT_COORDINATE => JointQuantity::Coordinate,
+            PDN_JOINT_RATE => JointQuantity::Rate,
+            PDN_JOINT_ACCELERATION => JointQuantity::Acceleration,
+            PDN_JOINT_DRIVING_EFFORT => JointQuantity::DrivingEffort,
             kind => {
-                let expected = "PDN_QUANTITY_POSITION, ...";
+                let expected = "PDN_NODE_POSITION, ...";
                 return Err(Error::value("quantity.kind", expected, kind));
             }
         };
@@ -302,16 +332,29 @@ pub unsafe extern "C" fn pdn_quantity_components(quantity: *const pdn_quantity) 
 /// Threads: like `const`.
 /// @since 0.1
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn pdn_solution_sample_quantity(
+pub unsafe extern "C" fn pdn_solution_sample(
     solution: *const pdn_solution,
     quantity: *const pdn_quantity,
     times: *const f64,
     count: usize,
     out: *mut f64,
 ) -> pdn_status {
-    let to = Samples::new(solution, times, count, out);
-    to.take(|call| selection(call, quantity))
+    // Times and place are checked before anything is computed.
+    guard(|call| {
+        let solution = call.shared(solution, "solution")?;
+        let times = call.numbers(times, count, "times")?;
+        let quantity = selection(call, quantity)?;
+        let length = count.checked_mul(quantity.components());
+        let length =
+            length.ok_or_else(|| Error::size("count", "a length that fits in memory", count))?;
+        let out = call.out_slice(out, length, length, "out")?;
+        out.set(&solution.sample(quantity, times)?);
+        Ok(())
+    })
 }
+
+/// Far more than any grid has; lengths of arrays do not overflow.
+const MOST_HARMONICS: usize = 1 << 20;
 
 /// Fourier coefficients of a quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j] sin
 /// jwt.
@@ -333,7 +376,7 @@ pub unsafe extern "C" fn pdn_solution_sample_quantity(
 /// Threads: like `const`.
 /// @since 0.1
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn pdn_solution_quantity_harmonics(
+pub unsafe extern "C" fn pdn_solution_harmonics(
     solution: *const pdn_solution,
     quantity: *const pdn_quantity,
     harmonics: usize,
@@ -342,8 +385,45 @@ pub unsafe extern "C" fn pdn_solution_quantity_harmonics(
     cosines: *mut f64,
     sines: *mut f64,
 ) -> pdn_status {
-    let to = SeriesOut::new(harmonics, mean, rate, [cosines, sines]);
-    harmonics_of(solution, &to, |call| selection(call, quantity))
+    guard(|call| {
+        let solution = call.shared(solution, "solution")?;
+        solution.require_harmonics()?;
+        if harmonics > MOST_HARMONICS {
+            let expected = format!("at most {MOST_HARMONICS}");
+            return Err(Error::size("harmonics", expected, harmonics));
+        }
+        let quantity = selection(call, quantity)?;
+        let single = quantity.components();
+        let many = single * harmonics;
+        memory::require_items("harmonics", many, 2 * size_of::<f64>())?;
+        let mean = call.out_slice_optional(mean, single, "mean")?;
+        let rate = call.out_slice_optional(rate, single, "rate")?;
+        let cosines = call.out_slice_optional(cosines, many, "cosines")?;
+        let sines = call.out_slice_optional(sines, many, "sines")?;
+        let series = solution.series(quantity)?;
+        let each = |of: fn(&PeriodicSeries) -> f64| series.iter().map(of).collect::<Vec<f64>>();
+        // There are none above those of the grid.
+        let by_harmonic = |coefficients: fn(&PeriodicSeries) -> &[f64]| -> Vec<f64> {
+            let of = |j: usize| {
+                let all = series.iter().map(coefficients);
+                all.map(move |x| x.get(j).copied().unwrap_or(0.0))
+            };
+            (0..harmonics).flat_map(of).collect()
+        };
+        if let Some(out) = mean {
+            out.set(&each(|s| s.mean));
+        }
+        if let Some(out) = rate {
+            out.set(&each(|s| s.rate));
+        }
+        if let Some(out) = cosines {
+            out.set(&by_harmonic(|s| &s.cosines));
+        }
+        if let Some(out) = sines {
+            out.set(&by_harmonic(|s| &s.sines));
+        }
+        Ok(())
+    })
 }
 
 /// Smallest and largest values of a quantity, and their times.
@@ -363,7 +443,7 @@ pub unsafe extern "C" fn pdn_solution_quantity_harmonics(
 /// Threads: like `const`.
 /// @since 0.1
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn pdn_solution_quantity_extremes(
+pub unsafe extern "C" fn pdn_solution_extremes(
     solution: *const pdn_solution,
     quantity: *const pdn_quantity,
     smallest: *mut f64,

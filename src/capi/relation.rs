@@ -55,7 +55,7 @@ fn terms(
 /// coordinates[i] of joint joints[i], whole turns counted. Gears that turn q1 by n q2 have
 /// coefficients 1 and -n, a rack on a pinion of radius r 1 and -r, a differential 1, 1 and -2. It
 /// exerts an effort on each of the coordinates, in proportion to the coefficients:
-/// PDN_QUANTITY_RELATION_EFFORT. Where angles that are prescribed turn on and on, those that they
+/// PDN_RELATION_EFFORT. Where angles that are prescribed turn on and on, those that they
 /// turn by relations must gain whole turns in a period as well; a solve refuses others with
 /// PDN_ERR_NOT_PERIODIC, and tells a period that would do.
 ///

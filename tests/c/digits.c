@@ -18,11 +18,13 @@ static void show(const char *what, pdn_solution *solution)
     const double times[3] = {0.05, 0.1, 0.17};
     double values[9];
     CHECK(pdn_solution_outcome(solution) == PDN_CONVERGED);
-    CHECK_STATUS(pdn_solution_node_position(solution, parts.beam.last, times, 3, values), PDN_OK);
-    print(what, values, 9);
     CHECK_STATUS(
-        pdn_solution_joint_coordinate(solution, parts.hinge, PDN_ROTATION, times, 3, values),
+        pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, parts.beam.last), times, 3, values),
         PDN_OK);
+    print(what, values, 9);
+    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_COORDINATE, parts.hinge, PDN_ROTATION),
+                                     times, 3, values),
+                 PDN_OK);
     print(what, values, 3);
     pdn_solution_free(solution);
 }

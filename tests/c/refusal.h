@@ -83,6 +83,21 @@ static const int32_t bad_enums[] = {-1, 99, INT32_MAX, INT32_MIN};
     REFUSES_EACH(variable, double, not_finite, call, PDN_ERR_NOT_FINITE,                           \
                  name ": expected a finite number, got ")
 
+/* The call, with each of bad_ids as an object of a quantity: one of its own kind is refused by the
+ * name of that kind, any other by the name of the field. */
+#define REFUSES_OBJECTS(variable, call, own, field)                                                \
+    do {                                                                                           \
+        const int32_t good_ = (variable), span_ = PDN_FIRST_JOINT - PDN_FIRST_NODE;                \
+        size_t i_;                                                                                 \
+        for (i_ = 0; i_ < LENGTH(bad_ids); i_++) {                                                 \
+            (variable) = bad_ids[i_];                                                              \
+            REFUSED(call, PDN_ERR_ID,                                                              \
+                    bad_ids[i_] / span_ == good_ / span_ ? own ": expected "                       \
+                                                         : "quantity." field ": expected ");       \
+        }                                                                                          \
+        (variable) = good_;                                                                        \
+    } while (0)
+
 /* The call, with each of the first entries of an array not finite. */
 #define REFUSES_NOT_FINITE_ENTRIES(array, length, call, name)                                      \
     do {                                                                                           \

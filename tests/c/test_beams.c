@@ -77,7 +77,7 @@ static pdn_solution *solve(const pdn_model *model, size_t grid_points)
 /* Force and moment of a joint at time zero. */
 static void reaction(const pdn_solution *solution, int32_t joint, double time, double *wrench)
 {
-    CHECK_STATUS(pdn_solution_joint_reaction(solution, joint, PDN_FRAME_SPACE, &time, 1, wrench),
+    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_REACTION, joint), &time, 1, wrench),
                  PDN_OK);
 }
 
@@ -176,7 +176,9 @@ static void bend(const pdn_line *line, const pdn_stations *stations, double *dis
     CHECK_STATUS(pdn_model_add_load(model, beam.last, PDN_FRAME_SPACE, PDN_FORCE_3, &force, NULL),
                  PDN_OK);
     solution = solve(model, 1);
-    CHECK_STATUS(pdn_solution_node_position(solution, beam.last, &time, 1, position), PDN_OK);
+    CHECK_STATUS(
+        pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, beam.last), &time, 1, position),
+        PDN_OK);
     on_circle(PI / 4, end);
     for (i = 0; i < 3; i++)
         displacement[i] = position[i] - end[i];

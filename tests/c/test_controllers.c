@@ -115,19 +115,18 @@ static void an_integral_makes_it_third_order(void)
         CHECK_STATUS(pdn_model_add_actuator(model, joint, PDN_DISPLACEMENT, &signal, NULL), PDN_OK);
         solution = solve(model);
         CHECK(calls > POINTS);
-        CHECK_STATUS(
-            pdn_solution_joint_coordinate(solution, joint, PDN_DISPLACEMENT, times, TIMES, found),
-            PDN_OK);
+        CHECK_STATUS(pdn_solution_sample(solution,
+                                         ASK(PDN_JOINT_COORDINATE, joint, PDN_DISPLACEMENT), times,
+                                         TIMES, found),
+                     PDN_OK);
         PDN_INIT(pdn_quantity, &quantity);
-        quantity.kind = PDN_QUANTITY_CONTROL_STATE;
+        quantity.kind = PDN_FORCE_CONTROL_STATE;
         quantity.object = id;
-        CHECK_STATUS(pdn_solution_sample_quantity(solution, &quantity, times, TIMES, state),
-                     PDN_OK);
-        quantity.kind = PDN_QUANTITY_CONTROL_EFFORT;
-        CHECK_STATUS(pdn_solution_sample_quantity(solution, &quantity, times, TIMES, effort),
-                     PDN_OK);
+        CHECK_STATUS(pdn_solution_sample(solution, &quantity, times, TIMES, state), PDN_OK);
+        quantity.kind = PDN_FORCE_CONTROL_EFFORT;
+        CHECK_STATUS(pdn_solution_sample(solution, &quantity, times, TIMES, effort), PDN_OK);
         quantity.branch = 1;
-        CHECK_STATUS(pdn_solution_sample_quantity(solution, &quantity, times, TIMES, effort),
+        CHECK_STATUS(pdn_solution_sample(solution, &quantity, times, TIMES, effort),
                      PDN_ERR_NOT_AVAILABLE);
         for (k = 0; k < TIMES; k++) {
             const double c = cos(OMEGA * times[k]), s = sin(OMEGA * times[k]);

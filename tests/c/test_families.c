@@ -148,7 +148,8 @@ static void free_motion(void)
         CHECK_STATUS(pdn_branch_solution(branch, i, &solution), PDN_OK);
         CHECK_STATUS(pdn_solution_parameter(solution, unfolding, &value), PDN_OK);
         CHECK_STATUS(pdn_solution_parameter(solution, PDN_FREQUENCY, &frequency), PDN_OK);
-        CHECK_STATUS(pdn_solution_node_position(solution, body, start, 1, at), PDN_OK);
+        CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, body), start, 1, at),
+                     PDN_OK);
         double a = 1, b = cos(atan2(hypot(at[0], at[1]), -at[2]) / 2);
         for (int k = 0; k < 8; ++k) {
             const double mean = (a + b) / 2;
@@ -225,7 +226,9 @@ static void frequency_response(void)
     CHECK_STATUS(pdn_branch_solution(branch, count - 1, &solution), PDN_OK);
     CHECK_STATUS(pdn_solution_parameter(solution, PDN_FREQUENCY, &frequency), PDN_OK);
     CHECK_NEAR(frequency, 1.6, 1e-14);
-    CHECK_STATUS(pdn_solution_joint_coordinate(solution, joint, PDN_DISPLACEMENT, t, 1, q), PDN_OK);
+    CHECK_STATUS(
+        pdn_solution_sample(solution, ASK(PDN_JOINT_COORDINATE, joint, PDN_DISPLACEMENT), t, 1, q),
+        PDN_OK);
     CHECK(fabs(q[0]) > 0.05 && fabs(q[0]) < 0.2);
     pdn_solution_free(solution);
     CHECK_STATUS(pdn_branch_solution(branch, count, &solution), PDN_ERR_ID);
@@ -233,7 +236,7 @@ static void frequency_response(void)
     pdn_quantity outputs[2];
     for (int i = 0; i < 2; ++i) {
         PDN_INIT(pdn_quantity, &outputs[i]);
-        outputs[i].kind = i ? PDN_QUANTITY_EFFORT : PDN_QUANTITY_POSITION;
+        outputs[i].kind = i ? PDN_FORCE_EFFORT : PDN_NODE_POSITION;
         outputs[i].object = i ? FORCE(0) : body;
     }
     CHECK_STATUS(pdn_branch_write_csv(branch, outputs, 2, "test_families.csv"), PDN_OK);
@@ -335,7 +338,7 @@ static void resonance(void)
     CHECK_STATUS(pdn_conditions_new(&conditions), PDN_OK);
     CHECK_STATUS(pdn_conditions_release(conditions, PDN_FREQUENCY), PDN_OK);
     PDN_INIT(pdn_quantity, &velocity);
-    velocity.kind = PDN_QUANTITY_VELOCITY;
+    velocity.kind = PDN_NODE_VELOCITY;
     velocity.object = body;
     CHECK_STATUS(pdn_conditions_add_quantity(conditions, &velocity, PDN_FEATURE_SINE, 1, 0, 0),
                  PDN_ERR_VALUE);
@@ -355,9 +358,8 @@ static void resonance(void)
     CHECK(pdn_solution_outcome(solution) == PDN_CONVERGED);
     CHECK_STATUS(pdn_solution_parameter(solution, PDN_FREQUENCY, &frequency), PDN_OK);
     CHECK_NEAR(frequency, 2, 1e-12);
-    CHECK_STATUS(
-        pdn_solution_quantity_harmonics(solution, &velocity, 1, &mean, &rate, cosine, sine),
-        PDN_OK);
+    CHECK_STATUS(pdn_solution_harmonics(solution, &velocity, 1, &mean, &rate, cosine, sine),
+                 PDN_OK);
     CHECK_NEAR(fabs(cosine[0]), 3, 1e-11);
     CHECK_NEAR(sine[0], 0, 1e-11);
     pdn_solution_free(solution);

@@ -39,8 +39,8 @@ static int32_t drive(double time, double *value, void *user_data)
     return now(0) ? spoil(value) : 0;
 }
 
-static int32_t law(double time, double coordinate, double rate, double *effort,
-                   double *derivatives, void *user_data)
+static int32_t law(double time, double coordinate, double rate, double *effort, double *derivatives,
+                   void *user_data)
 {
     (void)time;
     (void)user_data;
@@ -152,9 +152,9 @@ static void look(solve_fn solve, double *positions)
     memset(&plan, 0, sizeof plan);
     CHECK_STATUS(solve(&solution), PDN_OK);
     CHECK(pdn_solution_outcome(solution) == PDN_CONVERGED);
-    CHECK_STATUS(
-        pdn_solution_joint_coordinate(solution, slide, PDN_DISPLACEMENT, times, 3, positions),
-        PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_COORDINATE, slide, PDN_DISPLACEMENT),
+                                     times, 3, positions),
+                 PDN_OK);
     pdn_solution_free(solution);
 }
 
@@ -163,9 +163,10 @@ static int is_told(const pdn_solution *solution)
 {
     const double time = 0;
     double effort, forces[6];
-    return pdn_solution_force_effort(solution, law_id, &time, 1, &effort) == PDN_ERR_CALLBACK ||
-           pdn_solution_force_on_node(solution, force_id, body, PDN_FRAME_SPACE, &time, 1,
-                                      forces) == PDN_ERR_CALLBACK;
+    return pdn_solution_sample(solution, ASK(PDN_FORCE_EFFORT, law_id), &time, 1, &effort) ==
+               PDN_ERR_CALLBACK ||
+           pdn_solution_sample(solution, ASK(PDN_FORCE_ON_NODE, force_id, .node = body), &time, 1,
+                               forces) == PDN_ERR_CALLBACK;
 }
 
 /* A fault at one call. */
@@ -203,8 +204,8 @@ static void one(const char *what, solve_fn solve, enum fault fault, int at)
         if (solution != NULL) {
             (void)pdn_solution_report(solution, report, sizeof report);
         }
-        fprintf(stderr, "%s, fault %d at call %d of %d: %s\n%s\n", what, (int)fault, at,
-                plan.calls, pdn_status_name(status), report);
+        fprintf(stderr, "%s, fault %d at call %d of %d: %s\n%s\n", what, (int)fault, at, plan.calls,
+                pdn_status_name(status), report);
         exit(1);
     }
     if (fault == FAILS) {

@@ -74,36 +74,44 @@ static void a_table(const pdn_solution *solution)
         own[k] = 1.0 / (3.0 + k);
     }
     CHECK_STATUS(pdn_table_new(times, TIMES, &table), PDN_OK);
-    CHECK_STATUS(pdn_table_add_node(table, solution, body, PDN_NODE_POSITION, "p"), PDN_OK);
-    CHECK_STATUS(
-        pdn_table_add_joint(table, solution, hinge, PDN_JOINT_COORDINATE, PDN_ROTATION, NULL),
-        PDN_OK);
-    CHECK_STATUS(pdn_table_add_joint(table, solution, hinge, PDN_JOINT_DRIVING_EFFORT, PDN_ROTATION,
-                                     "torque"),
+    CHECK_STATUS(pdn_table_add_quantity(table, solution, ASK(PDN_NODE_POSITION, body), "p"),
                  PDN_OK);
-    CHECK_STATUS(
-        pdn_table_add_joint(table, solution, hinge, PDN_JOINT_REACTION, PDN_FRAME_SPACE, NULL),
-        PDN_OK);
-    CHECK_STATUS(
-        pdn_table_add_beam(table, solution, beam.first_element, -1, PDN_BEAM_FORCE, "root"),
-        PDN_OK);
-    CHECK_STATUS(pdn_table_add_force(table, solution, spring, PDN_FORCE_EFFORT, 0, NULL), PDN_OK);
+    CHECK_STATUS(pdn_table_add_quantity(table, solution,
+                                        ASK(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION), NULL),
+                 PDN_OK);
+    CHECK_STATUS(pdn_table_add_quantity(
+                     table, solution, ASK(PDN_JOINT_DRIVING_EFFORT, hinge, PDN_ROTATION), "torque"),
+                 PDN_OK);
+    CHECK_STATUS(pdn_table_add_quantity(table, solution, ASK(PDN_JOINT_REACTION, hinge), NULL),
+                 PDN_OK);
+    CHECK_STATUS(pdn_table_add_quantity(table, solution,
+                                        ASK(PDN_BEAM_FORCE, beam.first_element, .station = -1),
+                                        "root"),
+                 PDN_OK);
+    CHECK_STATUS(pdn_table_add_quantity(table, solution, ASK(PDN_FORCE_EFFORT, spring), NULL),
+                 PDN_OK);
     CHECK_STATUS(pdn_table_add_values(table, "mine, \"own\"", own, TIMES), PDN_OK);
     CHECK_STATUS(pdn_table_write_csv(table, "test_files.csv"), PDN_OK);
     pdn_table_free(table);
 
-    CHECK_STATUS(pdn_solution_node_position(solution, body, times, TIMES, position), PDN_OK);
     CHECK_STATUS(
-        pdn_solution_joint_coordinate(solution, hinge, PDN_ROTATION, times, TIMES, angle), PDN_OK);
-    CHECK_STATUS(
-        pdn_solution_joint_driving_effort(solution, hinge, PDN_ROTATION, times, TIMES, torque),
+        pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, body), times, TIMES, position),
         PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION),
+                                     times, TIMES, angle),
+                 PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_DRIVING_EFFORT, hinge, PDN_ROTATION),
+                                     times, TIMES, torque),
+                 PDN_OK);
     CHECK_STATUS(
-        pdn_solution_joint_reaction(solution, hinge, PDN_FRAME_SPACE, times, TIMES, reaction),
+        pdn_solution_sample(solution, ASK(PDN_JOINT_REACTION, hinge), times, TIMES, reaction),
         PDN_OK);
-    CHECK_STATUS(
-        pdn_solution_beam_force(solution, beam.first_element, -1, times, TIMES, root), PDN_OK);
-    CHECK_STATUS(pdn_solution_force_effort(solution, spring, times, TIMES, effort), PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     ASK(PDN_BEAM_FORCE, beam.first_element, .station = -1), times,
+                                     TIMES, root),
+                 PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_FORCE_EFFORT, spring), times, TIMES, effort),
+                 PDN_OK);
 
     line = text_of("test_files.csv");
     CHECK(strncmp(line, header, sizeof header - 1) == 0);
@@ -158,20 +166,24 @@ static void a_saved_solution(const pdn_model *model, pdn_solution *solution)
     double before[12 * TIMES], after[12 * TIMES];
     char report[2][2048];
     CHECK_STATUS(pdn_solution_save(solution, "test_files.pdn"), PDN_OK);
-    CHECK_STATUS(pdn_solution_beam_force(solution, beam.first_element, 0.3, times, TIMES, before),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     ASK(PDN_BEAM_FORCE, beam.first_element, .station = 0.3), times,
+                                     TIMES, before),
                  PDN_OK);
-    CHECK_STATUS(pdn_solution_node_acceleration(solution, beam.last, PDN_FRAME_SPACE, times, TIMES,
-                                                before + 6 * TIMES),
+    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_NODE_ACCELERATION, beam.last), times, TIMES,
+                                     before + 6 * TIMES),
                  PDN_OK);
     CHECK(pdn_solution_report(solution, report[0], sizeof report[0]) < sizeof report[0]);
     pdn_solution_free(solution);
 
     CHECK_STATUS(pdn_solution_load("test_files.pdn", &loaded), PDN_OK);
     CHECK(pdn_solution_outcome(loaded) == PDN_CONVERGED);
-    CHECK_STATUS(pdn_solution_beam_force(loaded, beam.first_element, 0.3, times, TIMES, after),
+    CHECK_STATUS(pdn_solution_sample(loaded,
+                                     ASK(PDN_BEAM_FORCE, beam.first_element, .station = 0.3), times,
+                                     TIMES, after),
                  PDN_OK);
-    CHECK_STATUS(pdn_solution_node_acceleration(loaded, beam.last, PDN_FRAME_SPACE, times, TIMES,
-                                                after + 6 * TIMES),
+    CHECK_STATUS(pdn_solution_sample(loaded, ASK(PDN_NODE_ACCELERATION, beam.last), times, TIMES,
+                                     after + 6 * TIMES),
                  PDN_OK);
     CHECK(memcmp(before, after, sizeof before) == 0);
     CHECK(pdn_solution_report(loaded, report[1], sizeof report[1]) < sizeof report[1]);

@@ -6,7 +6,8 @@
 static struct {
     double times[3];
     double values[3];
-} in = {{0, 1, 2}, {3, 4, 5}};
+    pdn_quantity asked;
+} in = {{0, 1, 2}, {3, 4, 5}, {0}};
 
 static struct {
     pdn_table *table;
@@ -66,62 +67,38 @@ static void new_tables(void)
 
 static void columns(void)
 {
-    int32_t id, quantity, detail;
-    double station = 0;
-#define ADD_NODE(label) pdn_table_add_node(table, solution, id, quantity, label)
-    id = body, quantity = PDN_NODE_POSITION;
-    REFUSED(pdn_table_add_node(NULL, solution, id, quantity, NULL), PDN_ERR_NULL, "table: ");
-    REFUSED(pdn_table_add_node(table, NULL, id, quantity, NULL), PDN_ERR_NULL, "solution: ");
-    REFUSES_EACH(id, int32_t, bad_ids, ADD_NODE(NULL), PDN_ERR_ID, "node: expected ");
-    REFUSES_EACH(quantity, int32_t, bad_enums, ADD_NODE(NULL), PDN_ERR_VALUE,
-                 "quantity: expected ");
-    REFUSED(ADD_NODE(""), PDN_ERR_VALUE, "label: expected a name");
-    REFUSED(ADD_NODE(not_utf8), PDN_ERR_VALUE, "label: expected text in UTF-8");
+    const int32_t coordinate[] = {PDN_DISPLACEMENT}, absent[] = {0, 1};
+#define ADD(label) pdn_table_add_quantity(table, solution, &in.asked, label)
+    in.asked = pdn_quantity_of(PDN_NODE_POSITION, body, PDN_ALL_COMPONENTS);
+    REFUSED(pdn_table_add_quantity(NULL, solution, &in.asked, NULL), PDN_ERR_NULL, "table: ");
+    REFUSED(pdn_table_add_quantity(table, NULL, &in.asked, NULL), PDN_ERR_NULL, "solution: ");
+    REFUSED(pdn_table_add_quantity(table, solution, NULL, NULL), PDN_ERR_NULL, "quantity: ");
+    REFUSES_OBJECTS(in.asked.object, ADD(NULL), "node", "object");
+    REFUSES_EACH(in.asked.kind, int32_t, bad_enums, ADD(NULL), PDN_ERR_VALUE,
+                 "quantity.kind: expected ");
+    REFUSED(ADD(""), PDN_ERR_VALUE, "label: expected a name");
+    REFUSED(ADD(not_utf8), PDN_ERR_VALUE, "label: expected text in UTF-8");
 
-#define ADD_JOINT(label) pdn_table_add_joint(table, solution, id, quantity, detail, label)
-    id = hinge, quantity = PDN_JOINT_COORDINATE, detail = PDN_ROTATION;
-    REFUSED(pdn_table_add_joint(NULL, solution, id, quantity, detail, NULL), PDN_ERR_NULL, "table");
-    REFUSED(pdn_table_add_joint(table, NULL, id, quantity, detail, NULL), PDN_ERR_NULL, "solution");
-    REFUSES_EACH(id, int32_t, bad_ids, ADD_JOINT(NULL), PDN_ERR_ID, "joint: expected ");
-    REFUSES_EACH(quantity, int32_t, bad_enums, ADD_JOINT(NULL), PDN_ERR_VALUE,
-                 "quantity: expected ");
-    REFUSES_EACH(detail, int32_t, bad_enums, ADD_JOINT(NULL), PDN_ERR_VALUE, "detail: expected ");
-    REFUSED(ADD_JOINT("own"), PDN_ERR_VALUE,
-            "label: expected names that no column has, got \"own\"");
-    REFUSED(ADD_JOINT("t"), PDN_ERR_VALUE, "label: ");
-    REFUSED(ADD_JOINT(not_utf8), PDN_ERR_VALUE, "label: expected text in UTF-8");
-    detail = PDN_DISPLACEMENT;
-    REFUSED(ADD_JOINT(NULL), PDN_ERR_NOT_AVAILABLE, "coordinate: ");
+    in.asked = pdn_quantity_of(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION);
+    REFUSES_OBJECTS(in.asked.object, ADD(NULL), "joint", "object");
+    REFUSES_EACH(in.asked.component, int32_t, bad_enums, ADD(NULL), PDN_ERR_VALUE,
+                 "quantity.component: expected ");
+    REFUSED(ADD("own"), PDN_ERR_VALUE, "label: expected names that no column has, got \"own\"");
+    REFUSED(ADD("t"), PDN_ERR_VALUE, "label: ");
+    REFUSED(ADD(not_utf8), PDN_ERR_VALUE, "label: expected text in UTF-8");
+    REFUSES_EACH(in.asked.component, int32_t, coordinate, ADD(NULL), PDN_ERR_NOT_AVAILABLE,
+                 "coordinate: ");
 
-#define ADD_BEAM(label) pdn_table_add_beam(table, solution, id, station, quantity, label)
-    id = BEAM_ELEMENT(0), quantity = PDN_BEAM_FORCE;
-    REFUSED(pdn_table_add_beam(NULL, solution, BEAM_ELEMENT(0), 0, quantity, NULL), PDN_ERR_NULL,
-            "table: ");
-    REFUSED(pdn_table_add_beam(table, NULL, BEAM_ELEMENT(0), 0, quantity, NULL), PDN_ERR_NULL,
-            "solution: ");
-    REFUSES_EACH(id, int32_t, bad_ids, ADD_BEAM(NULL), PDN_ERR_ID, "element: expected ");
-    REFUSES_EACH(quantity, int32_t, bad_enums, ADD_BEAM(NULL), PDN_ERR_VALUE,
-                 "quantity: expected ");
-    REFUSES_NOT_FINITE(station, ADD_BEAM(NULL), "station");
-    station = 1.5;
-    REFUSED(ADD_BEAM(NULL), PDN_ERR_VALUE, "station: expected ");
-    station = 0;
-    REFUSED(ADD_BEAM(not_utf8), PDN_ERR_VALUE, "label: expected text in UTF-8");
+    in.asked = pdn_quantity_of(PDN_BEAM_FORCE, BEAM_ELEMENT(0), PDN_ALL_COMPONENTS);
+    REFUSES_OBJECTS(in.asked.object, ADD(NULL), "element", "object");
+    REFUSES_NOT_FINITE(in.asked.station, ADD(NULL), "station");
+    in.asked.station = 1.5;
+    REFUSED(ADD(NULL), PDN_ERR_VALUE, "station: expected ");
 
-#define ADD_FORCE(label) pdn_table_add_force(table, solution, id, quantity, detail, label)
-    id = FORCE(0), quantity = PDN_FORCE_EFFORT, detail = 0;
-    REFUSED(pdn_table_add_force(NULL, solution, FORCE(0), quantity, 0, NULL), PDN_ERR_NULL,
-            "table: ");
-    REFUSED(pdn_table_add_force(table, NULL, FORCE(0), quantity, 0, NULL), PDN_ERR_NULL,
-            "solution: ");
-    REFUSES_EACH(id, int32_t, bad_ids, ADD_FORCE(NULL), PDN_ERR_ID, "force: expected ");
-    REFUSES_EACH(quantity, int32_t, bad_enums, ADD_FORCE(NULL), PDN_ERR_VALUE,
-                 "quantity: expected ");
-    REFUSED(ADD_FORCE(not_utf8), PDN_ERR_VALUE, "label: expected text in UTF-8");
-    detail = 1;
-    REFUSED(ADD_FORCE(NULL), PDN_ERR_VALUE, "detail: expected zero");
-    quantity = PDN_FORCE_BRANCH_EFFORT;
-    REFUSED(ADD_FORCE(NULL), PDN_ERR_NOT_AVAILABLE, "branch: ");
+    in.asked = pdn_quantity_of(PDN_FORCE_EFFORT, FORCE(0), PDN_ALL_COMPONENTS);
+    REFUSES_OBJECTS(in.asked.object, ADD(NULL), "force", "object");
+    in.asked.kind = PDN_FORCE_BRANCH_EFFORT;
+    REFUSES_EACH(in.asked.branch, int32_t, absent, ADD(NULL), PDN_ERR_NOT_AVAILABLE, "branch: ");
 
     REFUSED(pdn_table_add_values(NULL, "v", in.values, 3), PDN_ERR_NULL, "table: ");
     REFUSED(pdn_table_add_values(table, NULL, in.values, 3), PDN_ERR_NULL, "label: ");

@@ -17,6 +17,7 @@ static struct {
     int32_t nodes[2];
     int32_t node, other, joint, rigid, coordinate, place, axes, tangents, force, wrong, law_wrong;
     pdn_tangent_check check;
+    pdn_quantity asked;
 } in;
 
 /* Where results go; filled with a pattern. */
@@ -509,14 +510,14 @@ static void readings(void)
 
     /* Those that take a force, times and a place for values. */
 #define WITH(solution, times, count, values)                                                       \
-    pdn_solution_force_effort(solution, in.force, times, count, values)
+    pdn_solution_sample(solution, ASK(PDN_FORCE_EFFORT, in.force), times, count, values)
 #define REFUSES_BAD_SAMPLES                                                                        \
     do {                                                                                           \
         REFUSES_NULL(WITH(NULL, t, 2, out.values), "solution");                                    \
         REFUSES_NULL(WITH(good, NULL, 2, out.values), "times");                                    \
         REFUSES_NULL(WITH(good, t, 2, NULL), "out");                                               \
         REFUSES_NOT_FINITE_ENTRIES(in.times, 2, WITH(good, t, 2, out.values), "times");            \
-        REFUSES_IDS(in.force, bad_ids, WITH(good, t, 2, out.values), "force");                     \
+        REFUSES_OBJECTS(in.force, WITH(good, t, 2, out.values), "force", "object");                \
         REFUSED(WITH(good, t, too_many, out.values), PDN_ERR_SIZE, "times: expected at most ");    \
     } while (0)
     in.force = FORCE(0);
@@ -526,10 +527,11 @@ static void readings(void)
 #undef WITH
 
 #define WITH(solution, times, count, values)                                                       \
-    pdn_solution_force_branch_effort(solution, in.force, in.place, times, count, values)
+    pdn_solution_sample(solution, ASK(PDN_FORCE_BRANCH_EFFORT, in.force, .branch = in.place),      \
+                        times, count, values)
     in.force = FORCE(2);
     REFUSES_BAD_SAMPLES;
-    REFUSES_IDS(in.place, negative, WITH(good, t, 2, out.values), "branch");
+    REFUSES_IDS(in.place, negative, WITH(good, t, 2, out.values), "quantity.branch");
     REFUSES_EACH(in.place, int32_t, absent, WITH(good, t, 2, out.values), PDN_ERR_NOT_AVAILABLE,
                  "branch: force 2 has 2 Maxwell branches, got ");
     in.force = FORCE(0);
@@ -537,10 +539,11 @@ static void readings(void)
 #undef WITH
 
 #define WITH(solution, times, count, values)                                                       \
-    pdn_solution_force_branch_elongation(solution, in.force, in.place, times, count, values)
+    pdn_solution_sample(solution, ASK(PDN_FORCE_BRANCH_ELONGATION, in.force, .branch = in.place),  \
+                        times, count, values)
     in.force = FORCE(2);
     REFUSES_BAD_SAMPLES;
-    REFUSES_IDS(in.place, negative, WITH(good, t, 2, out.values), "branch");
+    REFUSES_IDS(in.place, negative, WITH(good, t, 2, out.values), "quantity.branch");
     REFUSES_EACH(in.place, int32_t, absent, WITH(good, t, 2, out.values), PDN_ERR_NOT_AVAILABLE,
                  "branch: force 2 has 2 Maxwell branches, got ");
     in.force = FORCE(1);
@@ -548,34 +551,35 @@ static void readings(void)
 #undef WITH
 
 #define WITH(solution, times, count, values)                                                       \
-    pdn_solution_force_on_node(solution, in.force, in.place, in.axes, times, count, values)
+    pdn_solution_sample(solution,                                                                  \
+                        ASK(PDN_FORCE_ON_NODE, in.force, .node = in.place, .frame = in.axes),      \
+                        times, count, values)
     in.force = FORCE(0);
     in.place = in.node;
     REFUSES_BAD_SAMPLES;
-    REFUSES_IDS(in.place, bad_ids, WITH(good, t, 2, out.values), "node");
-    REFUSES_ENUMS(in.axes, WITH(good, t, 2, out.values), "frame");
+    REFUSES_OBJECTS(in.place, WITH(good, t, 2, out.values), "node", "node");
+    REFUSES_ENUMS(in.axes, WITH(good, t, 2, out.values), "quantity: frame");
     in.place = in.other;
     REFUSED(WITH(good, t, 2, out.values), PDN_ERR_NOT_AVAILABLE, "");
     in.place = 0;
 #undef WITH
 #undef REFUSES_BAD_SAMPLES
 
-    in.coordinate = PDN_FORCE_EFFORT;
+    in.asked = pdn_quantity_of(PDN_FORCE_EFFORT, FORCE(0), PDN_ALL_COMPONENTS);
 #define WITH(solution, count)                                                                      \
-    pdn_solution_force_harmonics(solution, in.force, in.coordinate, in.place, count, out.mean,     \
-                                 out.rate, out.cosines, out.sines)
+    pdn_solution_harmonics(solution, &in.asked, count, out.mean, out.rate, out.cosines, out.sines)
     REFUSES_NULL(WITH(NULL, 1), "solution");
-    REFUSES_IDS(in.force, bad_ids, WITH(good, 1), "force");
-    REFUSES_ENUMS(in.coordinate, WITH(good, 1), "quantity");
+    REFUSES_OBJECTS(in.asked.object, WITH(good, 1), "force", "object");
+    REFUSES_EACH(in.asked.kind, int32_t, bad_enums, WITH(good, 1), PDN_ERR_VALUE,
+                 "quantity.kind: expected PDN_");
     REFUSED(WITH(good, 1048577), PDN_ERR_SIZE, "harmonics: expected at most 1048576, got 1048577");
-    in.place = 1;
-    REFUSED(WITH(good, 1), PDN_ERR_VALUE, "detail: expected zero");
-    in.coordinate = PDN_FORCE_BRANCH_EFFORT;
-    in.force = FORCE(2);
-    REFUSES_IDS(in.place, negative, WITH(good, 1), "detail");
-    REFUSES_EACH(in.place, int32_t, absent, WITH(good, 1), PDN_ERR_NOT_AVAILABLE, "branch: ");
-    in.coordinate = PDN_FORCE_ON_NODE;
-    in.place = in.other;
+    in.asked.kind = PDN_FORCE_BRANCH_EFFORT;
+    in.asked.object = FORCE(2);
+    REFUSES_IDS(in.asked.branch, negative, WITH(good, 1), "quantity.branch");
+    REFUSES_EACH(in.asked.branch, int32_t, absent, WITH(good, 1), PDN_ERR_NOT_AVAILABLE,
+                 "branch: ");
+    in.asked.kind = PDN_FORCE_ON_NODE;
+    in.asked.node = in.other;
     REFUSED(WITH(good, 1), PDN_ERR_NOT_AVAILABLE, "");
 #undef WITH
 }

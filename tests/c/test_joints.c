@@ -103,17 +103,22 @@ static void check_wave(int32_t coordinate, struct wave w)
     const pdn_solution *const s = rig.solution;
     double q[TIMES], v[TIMES], a[TIMES], mean, slope, cosines[2], sines[2];
     int i;
-    CHECK_STATUS(pdn_solution_joint_coordinate(s, rig.joint, coordinate, times, TIMES, q), PDN_OK);
-    CHECK_STATUS(pdn_solution_joint_rate(s, rig.joint, coordinate, times, TIMES, v), PDN_OK);
-    CHECK_STATUS(pdn_solution_joint_acceleration(s, rig.joint, coordinate, times, TIMES, a),
-                 PDN_OK);
+    CHECK_STATUS(
+        pdn_solution_sample(s, ASK(PDN_JOINT_COORDINATE, rig.joint, coordinate), times, TIMES, q),
+        PDN_OK);
+    CHECK_STATUS(
+        pdn_solution_sample(s, ASK(PDN_JOINT_RATE, rig.joint, coordinate), times, TIMES, v),
+        PDN_OK);
+    CHECK_STATUS(
+        pdn_solution_sample(s, ASK(PDN_JOINT_ACCELERATION, rig.joint, coordinate), times, TIMES, a),
+        PDN_OK);
     for (i = 0; i < TIMES; i++) {
         CHECK_NEAR(q[i], value(w, times[i]), 1e-10);
         CHECK_NEAR(v[i], rate(w, times[i]), 1e-9);
         CHECK_NEAR(a[i], acceleration(w, times[i]), 1e-8);
     }
-    CHECK_STATUS(pdn_solution_joint_harmonics(s, rig.joint, PDN_JOINT_COORDINATE, coordinate, 2,
-                                              &mean, &slope, cosines, sines),
+    CHECK_STATUS(pdn_solution_harmonics(s, ASK(PDN_JOINT_COORDINATE, rig.joint, coordinate), 2,
+                                        &mean, &slope, cosines, sines),
                  PDN_OK);
     CHECK_NEAR(mean, w.mean, 1e-10);
     CHECK_NEAR(slope, w.rate, 1e-10);
@@ -125,30 +130,33 @@ static void check_wave(int32_t coordinate, struct wave w)
 
 static void driving_effort(int32_t coordinate, double *effort)
 {
-    CHECK_STATUS(pdn_solution_joint_driving_effort(rig.solution, rig.joint, coordinate, times,
-                                                   TIMES, effort),
+    CHECK_STATUS(pdn_solution_sample(rig.solution,
+                                     ASK(PDN_JOINT_DRIVING_EFFORT, rig.joint, coordinate), times,
+                                     TIMES, effort),
                  PDN_OK);
 }
 
 static void reaction(double *wrench)
 {
     CHECK_STATUS(
-        pdn_solution_joint_reaction(rig.solution, rig.joint, PDN_FRAME_SPACE, times, TIMES, wrench),
+        pdn_solution_sample(rig.solution, ASK(PDN_JOINT_REACTION, rig.joint), times, TIMES, wrench),
         PDN_OK);
 }
 
 static void position(double *at)
 {
-    CHECK_STATUS(pdn_solution_node_position(rig.solution, rig.body, times, TIMES, at), PDN_OK);
+    CHECK_STATUS(
+        pdn_solution_sample(rig.solution, ASK(PDN_NODE_POSITION, rig.body), times, TIMES, at),
+        PDN_OK);
 }
 
 /* Coordinates that the joint does not have cannot be read. */
 static void check_absent(int32_t coordinate)
 {
     double q[TIMES];
-    CHECK_STATUS(
-        pdn_solution_joint_coordinate(rig.solution, rig.joint, coordinate, times, TIMES, q),
-        PDN_ERR_NOT_AVAILABLE);
+    CHECK_STATUS(pdn_solution_sample(rig.solution, ASK(PDN_JOINT_COORDINATE, rig.joint, coordinate),
+                                     times, TIMES, q),
+                 PDN_ERR_NOT_AVAILABLE);
     CHECK_MESSAGE("coordinate: expected one of a ");
 }
 
@@ -378,15 +386,16 @@ static void check_power_of_angles(int count)
     int i, k;
     for (k = 0; k < count; k++) {
         driving_effort(PDN_ROTATION + k, drive[k]);
-        CHECK_STATUS(pdn_solution_joint_rate(rig.solution, rig.joint, PDN_ROTATION + k, times,
-                                             TIMES, speed[k]),
+        CHECK_STATUS(pdn_solution_sample(rig.solution,
+                                         ASK(PDN_JOINT_RATE, rig.joint, PDN_ROTATION + k), times,
+                                         TIMES, speed[k]),
                      PDN_OK);
     }
     CHECK_STATUS(
-        pdn_solution_node_velocity(rig.solution, rig.body, PDN_FRAME_SPACE, times, TIMES, velocity),
+        pdn_solution_sample(rig.solution, ASK(PDN_NODE_VELOCITY, rig.body), times, TIMES, velocity),
         PDN_OK);
-    CHECK_STATUS(pdn_solution_node_acceleration(rig.solution, rig.body, PDN_FRAME_SPACE, times,
-                                                TIMES, gained),
+    CHECK_STATUS(pdn_solution_sample(rig.solution, ASK(PDN_NODE_ACCELERATION, rig.body), times,
+                                     TIMES, gained),
                  PDN_OK);
     for (i = 0; i < TIMES; i++) {
         double power = 0;
@@ -413,8 +422,9 @@ static void a_universal_turns_about_two_arms(void)
     check_absent(PDN_ROTATION_3);
     check_power_of_angles(2);
     reaction(wrench);
-    CHECK_STATUS(pdn_solution_node_rotation(rig.solution, rig.body, times, TIMES, rotation),
-                 PDN_OK);
+    CHECK_STATUS(
+        pdn_solution_sample(rig.solution, ASK(PDN_NODE_ROTATION, rig.body), times, TIMES, rotation),
+        PDN_OK);
     for (i = 0; i < TIMES; i++) {
         /* The second arm, fixed to the body, turns about the first. */
         double arm[3];
@@ -533,11 +543,12 @@ static void a_strut_moves_a_slider(void)
     check_absent(PDN_ROTATION);
     driving_effort(PDN_DISPLACEMENT, drive);
     reaction(wrench);
+    CHECK_STATUS(pdn_solution_sample(rig.solution,
+                                     ASK(PDN_JOINT_COORDINATE, slider, PDN_DISPLACEMENT), times,
+                                     TIMES, x),
+                 PDN_OK);
     CHECK_STATUS(
-        pdn_solution_joint_coordinate(rig.solution, slider, PDN_DISPLACEMENT, times, TIMES, x),
-        PDN_OK);
-    CHECK_STATUS(
-        pdn_solution_joint_reaction(rig.solution, slider, PDN_FRAME_SPACE, times, TIMES, hold),
+        pdn_solution_sample(rig.solution, ASK(PDN_JOINT_REACTION, slider), times, TIMES, hold),
         PDN_OK);
     for (i = 0; i < TIMES; i++) {
         const double t = times[i], l = value(length, t), v = rate(length, t);
@@ -563,8 +574,9 @@ static void sample(const int32_t *coordinates, int count, double *to)
 {
     int k;
     for (k = 0; k < count; k++, to += TIMES)
-        CHECK_STATUS(pdn_solution_joint_coordinate(rig.solution, rig.joint, coordinates[k], times,
-                                                   TIMES, to),
+        CHECK_STATUS(pdn_solution_sample(rig.solution,
+                                         ASK(PDN_JOINT_COORDINATE, rig.joint, coordinates[k]),
+                                         times, TIMES, to),
                      PDN_OK);
     reaction(to);
 }
@@ -670,11 +682,13 @@ static void reactions_are_resolved_in_either_frame(void)
     prescribe(PDN_ROTATION, TURNING);
     solve();
     reaction(space);
-    CHECK_STATUS(
-        pdn_solution_joint_reaction(rig.solution, rig.joint, PDN_FRAME_FIRST, times, TIMES, first),
-        PDN_OK);
-    CHECK_STATUS(pdn_solution_joint_reaction(rig.solution, rig.joint, PDN_FRAME_SECOND, times,
-                                             TIMES, second),
+    CHECK_STATUS(pdn_solution_sample(rig.solution,
+                                     ASK(PDN_JOINT_REACTION, rig.joint, .frame = PDN_FRAME_FIRST),
+                                     times, TIMES, first),
+                 PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(rig.solution,
+                                     ASK(PDN_JOINT_REACTION, rig.joint, .frame = PDN_FRAME_SECOND),
+                                     times, TIMES, second),
                  PDN_OK);
     for (i = 0; i < TIMES; i++)
         for (half = 0; half < 6; half += 3) {

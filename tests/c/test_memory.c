@@ -86,9 +86,8 @@ static void many_elements(void)
     PDN_INIT(pdn_section, &section);
     CHECK_STATUS(pdn_section_set_diagonal(&section, stiffness, mass), PDN_OK);
     CHECK_STATUS(pdn_model_node_count(model, &before), PDN_OK);
-    CHECK_STATUS(
-        pdn_model_add_straight_beam(model, start, end, y, &section, 1000000, 24, &beam),
-        PDN_ERR_MEMORY);
+    CHECK_STATUS(pdn_model_add_straight_beam(model, start, end, y, &section, 1000000, 24, &beam),
+                 PDN_ERR_MEMORY);
     CHECK_MESSAGE("nodes and elements of the beam: ");
     CHECK_STATUS(pdn_model_node_count(model, &after), PDN_OK);
     CHECK(before == after);
@@ -128,8 +127,9 @@ static void many_times(void)
     double *const times = calloc(count, sizeof *times);
     double *const values = malloc(4 * count * sizeof *values);
     CHECK(times != NULL && values != NULL);
-    CHECK_STATUS(pdn_solution_node_quaternion(solution, parts.body, times, count, values),
-                 PDN_ERR_MEMORY);
+    CHECK_STATUS(
+        pdn_solution_sample(solution, ASK(PDN_NODE_QUATERNION, parts.body), times, count, values),
+        PDN_ERR_MEMORY);
     CHECK_MESSAGE("values at these times: ");
     free(times);
     free(values);
@@ -141,8 +141,8 @@ static void many_harmonics(void)
     double *const values = malloc(9 * count * sizeof *values);
     double *const room = malloc(100 * MIB);
     CHECK(values != NULL && room != NULL);
-    CHECK_STATUS(pdn_solution_node_harmonics(solution, parts.body, PDN_NODE_ROTATION, count,
-                                             NULL, values, NULL),
+    CHECK_STATUS(pdn_solution_harmonics(solution, ASK(PDN_NODE_ROTATION, parts.body), count, NULL,
+                                        NULL, values, NULL),
                  PDN_ERR_MEMORY);
     CHECK_MESSAGE("harmonics: ");
     free(room);

@@ -1,4 +1,4 @@
-/* Quantities as one noun: values, harmonics, extremes and columns against the functions of each. */
+/* Quantities as one noun: values, harmonics, extremes and columns. */
 #include "driven_arm.h"
 #include "near.h"
 
@@ -44,99 +44,74 @@ static void check_values(pdn_quantity quantity, int32_t components, const double
     double values[MOST * TIMES], one[TIMES];
     int32_t c, k;
     CHECK(pdn_quantity_components(&quantity) == components);
-    CHECK_STATUS(pdn_solution_sample_quantity(solution, &quantity, times, TIMES, values), PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution, &quantity, times, TIMES, values), PDN_OK);
     for (c = 0; c < components * TIMES; ++c)
         CHECK(values[c] == expected[c]);
     for (c = 0; components > 1 && c < components; ++c) {
         quantity.component = c;
         CHECK(pdn_quantity_components(&quantity) == 1);
-        CHECK_STATUS(pdn_solution_sample_quantity(solution, &quantity, times, TIMES, one), PDN_OK);
+        CHECK_STATUS(pdn_solution_sample(solution, &quantity, times, TIMES, one), PDN_OK);
         for (k = 0; k < TIMES; ++k)
             CHECK(one[k] == expected[components * k + c]);
     }
 }
 
-static void values_are_those_of_each_function(void)
+static void components_alone_are_parts_of_all(void)
 {
-    const int32_t last = parts.beam.last;
-    double expected[MOST * TIMES];
-    pdn_quantity quantity = quantity_of(PDN_QUANTITY_POSITION, last);
-    CHECK_STATUS(pdn_solution_node_position(solution, last, times, TIMES, expected), PDN_OK);
-    check_values(quantity, 3, expected);
+    const int32_t last = parts.beam.last, hinge = parts.hinge;
+    double all[MOST * TIMES];
+    const struct {
+        const pdn_quantity *asked;
+        int32_t components;
+    } cases[] = {
+        {ASK(PDN_NODE_POSITION, last), 3},
+        {ASK(PDN_NODE_ROTATION, last), 9},
+        {ASK(PDN_NODE_ACCELERATION, last, .frame = PDN_FRAME_MATERIAL), 6},
+        {ASK(PDN_JOINT_RATE, hinge, PDN_ROTATION), 1},
+        {ASK(PDN_JOINT_REACTION, hinge, .frame = PDN_FRAME_FIRST), 6},
+        {ASK(PDN_BEAM_FORCE, parts.beam.first_element, .station = -0.5), 6},
+        {ASK(PDN_FORCE_EFFORT, parts.spring), 1},
+        {ASK(PDN_FORCE_ON_NODE, parts.spring, .node = parts.body, .frame = PDN_FRAME_MATERIAL), 6},
+    };
+    size_t c;
+    for (c = 0; c < sizeof cases / sizeof *cases; ++c) {
+        CHECK_STATUS(pdn_solution_sample(solution, cases[c].asked, times, TIMES, all), PDN_OK);
+        check_values(*cases[c].asked, cases[c].components, all);
+    }
+}
 
-    quantity.kind = PDN_QUANTITY_ROTATION;
-    CHECK_STATUS(pdn_solution_node_rotation(solution, last, times, TIMES, expected), PDN_OK);
-    check_values(quantity, 9, expected);
-
-    quantity.kind = PDN_QUANTITY_ACCELERATION;
-    quantity.frame = PDN_FRAME_MATERIAL;
-    CHECK_STATUS(pdn_solution_node_acceleration(solution, last, PDN_FRAME_MATERIAL, times, TIMES,
-                                                expected),
-                 PDN_OK);
-    check_values(quantity, 6, expected);
-
-    quantity = quantity_of(PDN_QUANTITY_COORDINATE_RATE, parts.hinge);
-    quantity.component = PDN_ROTATION;
-    CHECK_STATUS(
-        pdn_solution_joint_rate(solution, parts.hinge, PDN_ROTATION, times, TIMES, expected),
-        PDN_OK);
-    check_values(quantity, 1, expected);
-
-    quantity = quantity_of(PDN_QUANTITY_REACTION, parts.hinge);
-    quantity.frame = PDN_FRAME_FIRST;
-    CHECK_STATUS(
-        pdn_solution_joint_reaction(solution, parts.hinge, PDN_FRAME_FIRST, times, TIMES, expected),
-        PDN_OK);
-    check_values(quantity, 6, expected);
-
-    quantity = quantity_of(PDN_QUANTITY_BEAM_FORCE, parts.beam.first_element);
-    quantity.station = -0.5;
-    CHECK_STATUS(pdn_solution_beam_force(solution, parts.beam.first_element, -0.5, times, TIMES,
-                                         expected),
-                 PDN_OK);
-    check_values(quantity, 6, expected);
-
-    quantity = quantity_of(PDN_QUANTITY_EFFORT, parts.spring);
-    CHECK_STATUS(pdn_solution_force_effort(solution, parts.spring, times, TIMES, expected),
-                 PDN_OK);
-    check_values(quantity, 1, expected);
-
-    quantity = quantity_of(PDN_QUANTITY_FORCE_ON_NODE, parts.spring);
-    quantity.node = parts.body;
-    quantity.frame = PDN_FRAME_MATERIAL;
-    CHECK_STATUS(pdn_solution_force_on_node(solution, parts.spring, parts.body, PDN_FRAME_MATERIAL,
-                                            times, TIMES, expected),
-                 PDN_OK);
-    check_values(quantity, 6, expected);
+static void one_call_is_the_same_as_a_struct(void)
+{
+    const pdn_quantity expected = pdn_quantity_of(PDN_JOINT_RATE, parts.hinge, PDN_ROTATION);
+    const pdn_quantity *const found = PDN_QUANTITY(PDN_JOINT_RATE, parts.hinge, PDN_ROTATION);
+    CHECK(memcmp(found, &expected, sizeof expected) == 0);
+    CHECK(found->kind == PDN_JOINT_RATE && found->object == parts.hinge);
+    CHECK(found->component == PDN_ROTATION && found->frame == PDN_FRAME_SPACE);
 }
 
 static void harmonics_and_extremes(void)
 {
     double mean, rate, cosines[HARMONICS], sines[HARMONICS];
     double smallest, largest, early, late;
-    pdn_quantity angle = quantity_of(PDN_QUANTITY_COORDINATE, parts.hinge);
+    pdn_quantity angle = quantity_of(PDN_JOINT_COORDINATE, parts.hinge);
     angle.component = PDN_ROTATION;
     /* It is prescribed: 0.3 sin(pi t). */
-    CHECK_STATUS(
-        pdn_solution_quantity_harmonics(solution, &angle, HARMONICS, &mean, &rate, cosines, sines),
-        PDN_OK);
+    CHECK_STATUS(pdn_solution_harmonics(solution, &angle, HARMONICS, &mean, &rate, cosines, sines),
+                 PDN_OK);
     CHECK_NEAR(mean, 0, 1e-12);
     CHECK(rate == 0);
     CHECK_NEAR(sines[0], 0.3, 1e-12);
     CHECK_NEAR(cosines[0], 0, 1e-12);
-    CHECK_STATUS(
-        pdn_solution_quantity_extremes(solution, &angle, &smallest, &late, &largest, &early),
-        PDN_OK);
+    CHECK_STATUS(pdn_solution_extremes(solution, &angle, &smallest, &late, &largest, &early),
+                 PDN_OK);
     CHECK_NEAR(smallest, -0.3, 1e-12);
     CHECK_NEAR(late, 1.5, 1e-6);
     CHECK_NEAR(largest, 0.3, 1e-12);
     CHECK_NEAR(early, 0.5, 1e-6);
-    CHECK_STATUS(
-        pdn_solution_quantity_extremes(solution, &angle, NULL, NULL, NULL, &early), PDN_OK);
+    CHECK_STATUS(pdn_solution_extremes(solution, &angle, NULL, NULL, NULL, &early), PDN_OK);
     CHECK_NEAR(early, 0.5, 1e-6);
-    angle.kind = PDN_QUANTITY_COORDINATE_ACCELERATION;
-    CHECK_STATUS(
-        pdn_solution_quantity_extremes(solution, &angle, NULL, NULL, &largest, NULL), PDN_OK);
+    angle.kind = PDN_JOINT_ACCELERATION;
+    CHECK_STATUS(pdn_solution_extremes(solution, &angle, NULL, NULL, &largest, NULL), PDN_OK);
     CHECK_NEAR(largest, 0.3 * PI * PI, 1e-10);
 }
 
@@ -145,13 +120,13 @@ static void columns(void)
     pdn_table *table = NULL;
     char line[256];
     FILE *file;
-    pdn_quantity quantity = quantity_of(PDN_QUANTITY_VELOCITY, parts.body);
+    pdn_quantity quantity = quantity_of(PDN_NODE_VELOCITY, parts.body);
     CHECK_STATUS(pdn_table_new(times, TIMES, &table), PDN_OK);
     quantity.component = 5;
     CHECK_STATUS(pdn_table_add_quantity(table, solution, &quantity, NULL), PDN_OK);
     CHECK_STATUS(pdn_table_add_quantity(table, solution, &quantity, "spin"), PDN_OK);
     CHECK_STATUS(pdn_table_add_quantity(table, solution, &quantity, "spin"), PDN_ERR_VALUE);
-    quantity = quantity_of(PDN_QUANTITY_POSITION, parts.body);
+    quantity = quantity_of(PDN_NODE_POSITION, parts.body);
     CHECK_STATUS(pdn_table_add_quantity(table, solution, &quantity, "p"), PDN_OK);
     CHECK_STATUS(pdn_table_write_csv(table, "test_quantity.csv"), PDN_OK);
     pdn_table_free(table);
@@ -165,15 +140,19 @@ static void columns(void)
 static void bad_input(void)
 {
     double out[MOST * TIMES];
-    pdn_quantity quantity, good = quantity_of(PDN_QUANTITY_POSITION, parts.body);
-    CHECK_STATUS(pdn_solution_sample_quantity(solution, NULL, times, TIMES, out), PDN_ERR_NULL);
-    CHECK_STATUS(pdn_solution_sample_quantity(solution, &good, times, TIMES, NULL), PDN_ERR_NULL);
-    CHECK_STATUS(pdn_solution_sample_quantity(NULL, &good, times, TIMES, out), PDN_ERR_NULL);
+    pdn_quantity quantity, good = quantity_of(PDN_NODE_POSITION, parts.body);
+    CHECK_STATUS(pdn_solution_sample(solution, NULL, times, TIMES, out), PDN_ERR_NULL);
+    CHECK_STATUS(pdn_solution_sample(solution, &good, times, TIMES, NULL), PDN_ERR_NULL);
+    CHECK_STATUS(pdn_solution_sample(NULL, &good, times, TIMES, out), PDN_ERR_NULL);
     PDN_INIT(pdn_quantity, &quantity);
     CHECK(pdn_quantity_components(&quantity) == PDN_ERR_VALUE);
     /* A kind of another list. */
-    quantity.kind = PDN_JOINT_REACTION;
+    quantity.kind = PDN_PART_MEAN;
     CHECK(pdn_quantity_components(&quantity) == PDN_ERR_VALUE);
+    /* An object of another kind. */
+    quantity = good;
+    quantity.kind = PDN_JOINT_REACTION;
+    CHECK(pdn_quantity_components(&quantity) == PDN_ERR_ID);
     quantity = good;
     quantity.component = 3;
     CHECK(pdn_quantity_components(&quantity) == PDN_ERR_VALUE);
@@ -181,20 +160,19 @@ static void bad_input(void)
     CHECK(pdn_quantity_components(&quantity) == PDN_ERR_ID);
     quantity = good;
     quantity.object = 999;
-    CHECK_STATUS(pdn_solution_sample_quantity(solution, &quantity, times, TIMES, out), PDN_ERR_ID);
+    CHECK_STATUS(pdn_solution_sample(solution, &quantity, times, TIMES, out), PDN_ERR_ID);
     quantity.object = -1;
-    CHECK_STATUS(pdn_solution_sample_quantity(solution, &quantity, times, TIMES, out), PDN_ERR_ID);
-    quantity = quantity_of(PDN_QUANTITY_VELOCITY, parts.body);
+    CHECK_STATUS(pdn_solution_sample(solution, &quantity, times, TIMES, out), PDN_ERR_ID);
+    quantity = quantity_of(PDN_NODE_VELOCITY, parts.body);
     quantity.frame = 7;
     CHECK(pdn_quantity_components(&quantity) == PDN_ERR_VALUE);
-    quantity = quantity_of(PDN_QUANTITY_COORDINATE, parts.hinge);
+    quantity = quantity_of(PDN_JOINT_COORDINATE, parts.hinge);
     CHECK(pdn_quantity_components(&quantity) == PDN_ERR_VALUE);
-    quantity = quantity_of(PDN_QUANTITY_STRAIN, parts.beam.first_element);
+    quantity = quantity_of(PDN_BEAM_STRAIN, parts.beam.first_element);
     quantity.station = 1.5;
-    CHECK_STATUS(pdn_solution_sample_quantity(solution, &quantity, times, TIMES, out),
-                 PDN_ERR_VALUE);
-    quantity = quantity_of(PDN_QUANTITY_BRANCH_EFFORT, parts.spring);
-    CHECK_STATUS(pdn_solution_sample_quantity(solution, &quantity, times, TIMES, out),
+    CHECK_STATUS(pdn_solution_sample(solution, &quantity, times, TIMES, out), PDN_ERR_VALUE);
+    quantity = quantity_of(PDN_FORCE_BRANCH_EFFORT, parts.spring);
+    CHECK_STATUS(pdn_solution_sample(solution, &quantity, times, TIMES, out),
                  PDN_ERR_NOT_AVAILABLE);
     quantity = good;
     quantity.struct_size = 7;
@@ -204,7 +182,8 @@ static void bad_input(void)
 int main(void)
 {
     solve();
-    values_are_those_of_each_function();
+    components_alone_are_parts_of_all();
+    one_call_is_the_same_as_a_struct();
     harmonics_and_extremes();
     columns();
     bad_input();

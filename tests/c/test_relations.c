@@ -84,15 +84,15 @@ static void geared_wheels_are_one_inertia(void)
     for (k = 0; k < 2; k++) {
         const double size = k == 0 ? amplitude : ratio * amplitude;
         const double second = -OMEGA * OMEGA * inertias[1] * ratio * amplitude;
-        CHECK_STATUS(
-            pdn_solution_joint_coordinate(solution, joints[k], PDN_ROTATION, times, TIMES, angle),
-            PDN_OK);
-        quantity.kind = PDN_QUANTITY_RELATION_EFFORT;
+        CHECK_STATUS(pdn_solution_sample(solution,
+                                         ASK(PDN_JOINT_COORDINATE, joints[k], PDN_ROTATION), times,
+                                         TIMES, angle),
+                     PDN_OK);
+        quantity.kind = PDN_RELATION_EFFORT;
         quantity.object = relation;
         quantity.component = k;
         CHECK(pdn_quantity_components(&quantity) == 1);
-        CHECK_STATUS(pdn_solution_sample_quantity(solution, &quantity, times, TIMES, effort),
-                     PDN_OK);
+        CHECK_STATUS(pdn_solution_sample(solution, &quantity, times, TIMES, effort), PDN_OK);
         for (i = 0; i < TIMES; i++) {
             const double c = cos(OMEGA * times[i]);
             CHECK_NEAR(angle[i], size * c, 1e-8);
@@ -100,14 +100,12 @@ static void geared_wheels_are_one_inertia(void)
         }
     }
     quantity.component = 2;
-    CHECK_STATUS(pdn_solution_sample_quantity(solution, &quantity, times, TIMES, effort),
-                 PDN_ERR_VALUE);
+    CHECK_STATUS(pdn_solution_sample(solution, &quantity, times, TIMES, effort), PDN_ERR_VALUE);
     quantity.component = PDN_ALL_COMPONENTS;
     CHECK(pdn_quantity_components(&quantity) < 0);
     quantity.component = 0;
     quantity.object = RELATION(1);
-    CHECK_STATUS(pdn_solution_sample_quantity(solution, &quantity, times, TIMES, effort),
-                 PDN_ERR_ID);
+    CHECK_STATUS(pdn_solution_sample(solution, &quantity, times, TIMES, effort), PDN_ERR_ID);
     pdn_solution_free(solution);
     pdn_model_free(model);
 }
@@ -139,9 +137,9 @@ static void a_signal_shifts_what_is_geared(void)
                                        PDN_PART_AMPLITUDE, 1.0),
                  PDN_OK);
     solution = solve(model, PERIOD);
-    CHECK_STATUS(
-        pdn_solution_joint_coordinate(solution, joints[1], PDN_ROTATION, times, TIMES, angle),
-        PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_COORDINATE, joints[1], PDN_ROTATION),
+                                     times, TIMES, angle),
+                 PDN_OK);
     for (i = 0; i < TIMES; i++)
         CHECK_NEAR(angle[i], 2 * OMEGA * times[i] - 0.1 - 0.6 * cos(OMEGA * times[i]), 1e-10);
     pdn_solution_free(solution);
@@ -200,14 +198,15 @@ static void a_bearing_carries_a_rotor(void)
     CHECK_STATUS(pdn_model_prescribe(model, shaft, PDN_ROTATION_3, &signal, NULL), PDN_OK);
     solution = solve(model, 2 * PI / spin);
     for (i = 0; i < 2; i++)
-        CHECK_STATUS(pdn_solution_joint_coordinate(solution, shaft, PDN_DISPLACEMENT + i, times,
-                                                   TIMES, position[i]),
+        CHECK_STATUS(pdn_solution_sample(solution,
+                                         ASK(PDN_JOINT_COORDINATE, shaft, PDN_DISPLACEMENT + i),
+                                         times, TIMES, position[i]),
                      PDN_OK);
     PDN_INIT(pdn_quantity, &quantity);
-    quantity.kind = PDN_QUANTITY_BUSHING_EFFORTS;
+    quantity.kind = PDN_FORCE_BUSHING_EFFORTS;
     quantity.object = bearing;
     CHECK(pdn_quantity_components(&quantity) == 6);
-    CHECK_STATUS(pdn_solution_sample_quantity(solution, &quantity, times, TIMES, efforts), PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution, &quantity, times, TIMES, efforts), PDN_OK);
     for (i = 0; i < TIMES; i++) {
         const double p = spin * times[i], x = size * (a * cos(p) + b * sin(p));
         const double y = size * (a * sin(p) - b * cos(p));

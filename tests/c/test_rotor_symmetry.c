@@ -43,8 +43,8 @@ static void build(double tilt)
     CHECK_STATUS(pdn_model_add_rigid_body(in.model, 2, origin, ball, &in.hub[0]), PDN_OK);
     CHECK_STATUS(pdn_model_add_planar(in.model, PDN_GROUND, mast, origin, up, &support), PDN_OK);
     for (int k = 0; k < 2; ++k)
-        CHECK_STATUS(pdn_model_add_spring_damper(in.model, support, slides[k], 900 + 500 * k, 20,
-                                                 0, &spring),
+        CHECK_STATUS(pdn_model_add_spring_damper(in.model, support, slides[k], 900 + 500 * k, 20, 0,
+                                                 &spring),
                      PDN_OK);
     CHECK_STATUS(pdn_model_add_spring_damper(in.model, support, PDN_ROTATION, 50, 5, 0, &spring),
                  PDN_OK);
@@ -55,19 +55,19 @@ static void build(double tilt)
         const double root[3] = {0.2 * c, 0.2 * s, 0}, centre[3] = {c, s, 0}, flap[3] = {s, -c, 0};
         int32_t hinge;
         CHECK_STATUS(pdn_model_add_rigid_body(in.model, 1, centre, ball, &in.nodes[i]), PDN_OK);
-        CHECK_STATUS(
-            pdn_model_add_revolute(in.model, in.hub[0], in.nodes[i], root, flap, &hinge), PDN_OK);
-        CHECK_STATUS(
-            pdn_model_add_spring_damper(in.model, hinge, PDN_ROTATION, 40, 1, 0, &spring), PDN_OK);
+        CHECK_STATUS(pdn_model_add_revolute(in.model, in.hub[0], in.nodes[i], root, flap, &hinge),
+                     PDN_OK);
+        CHECK_STATUS(pdn_model_add_spring_damper(in.model, hinge, PDN_ROTATION, 40, 1, 0, &spring),
+                     PDN_OK);
     }
 }
 
 static void set_symmetry(void)
 {
     const double twice_up[3] = {0, 0, 2};
-    CHECK_STATUS(pdn_model_set_rotor_symmetry(in.model, twice_up, BLADES, in.nodes, BLADES, in.hub,
-                                              1, NULL),
-                 PDN_OK);
+    CHECK_STATUS(
+        pdn_model_set_rotor_symmetry(in.model, twice_up, BLADES, in.nodes, BLADES, in.hub, 1, NULL),
+        PDN_OK);
 }
 
 /* Where the second blade is. */
@@ -83,7 +83,8 @@ static void solve(double positions[TIMES][3])
     options.linear_solver = PDN_LINEAR_DIRECT;
     CHECK_STATUS(pdn_solve_periodic(in.model, 1, &options, &solution), PDN_OK);
     CHECK(pdn_solution_outcome(solution) == PDN_CONVERGED);
-    CHECK_STATUS(pdn_solution_node_position(solution, in.nodes[1], times, TIMES, positions[0]),
+    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, in.nodes[1]), times, TIMES,
+                                     positions[0]),
                  PDN_OK);
     pdn_solution_free(solution);
 }

@@ -38,12 +38,7 @@ static void begin(void)
 
 static pdn_quantity coordinate(int32_t kind)
 {
-    pdn_quantity quantity;
-    PDN_INIT(pdn_quantity, &quantity);
-    quantity.kind = kind;
-    quantity.object = joint;
-    quantity.component = PDN_DISPLACEMENT;
-    return quantity;
+    return pdn_quantity_of(kind, joint, PDN_DISPLACEMENT);
 }
 
 /* Coefficients of x = a cos wt + b sin wt. */
@@ -64,7 +59,7 @@ static void held(void)
     pdn_sensitivities *s;
     pdn_solution *solution;
     begin();
-    x = coordinate(PDN_QUANTITY_COORDINATE);
+    x = coordinate(PDN_JOINT_COORDINATE);
     PDN_INIT(pdn_periodic_options, &options);
     options.grid_points = 7;
     CHECK_STATUS(pdn_solve_periodic(model, 2 * PI / w, &options, &solution), PDN_OK);
@@ -166,7 +161,7 @@ static void held(void)
     /* A constant has no peak; a statical solution no sensitivities. */
     pdn_quantity y;
     PDN_INIT(pdn_quantity, &y);
-    y.kind = PDN_QUANTITY_POSITION;
+    y.kind = PDN_NODE_POSITION;
     y.object = body;
     CHECK_STATUS(pdn_sensitivities_new(&s), PDN_OK);
     CHECK_STATUS(pdn_sensitivities_add_quantity(s, &y, PDN_FEATURE_LARGEST, 0), PDN_ERR_VALUE);
@@ -191,7 +186,7 @@ static void held(void)
 static void at_resonance(void)
 {
     double found[2][2];
-    pdn_quantity rate = coordinate(PDN_QUANTITY_COORDINATE_RATE);
+    pdn_quantity rate = coordinate(PDN_JOINT_RATE);
     pdn_periodic_options options;
     pdn_conditions *conditions;
     pdn_sensitivities *s;

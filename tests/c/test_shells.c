@@ -220,40 +220,38 @@ static void stretched(const pdn_solution *solution, double traction)
     double values[12];
     pdn_quantity quantity;
     PDN_INIT(pdn_quantity, &quantity);
-    quantity.kind = PDN_QUANTITY_SHELL_STRAIN;
+    quantity.kind = PDN_SHELL_STRAIN;
     quantity.object = SHELL_ELEMENT(1);
     quantity.station = 0.3;
     quantity.station_eta = -0.7;
     CHECK(pdn_quantity_components(&quantity) == 12);
-    CHECK_STATUS(pdn_solution_sample_quantity(solution, &quantity, &time, 1, values), PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution, &quantity, &time, 1, values), PDN_OK);
     CHECK_NEAR(values[0], strain, 1e-13);
     CHECK_NEAR(values[7], 0, 1e-13);
-    quantity.kind = PDN_QUANTITY_SHELL_RESULTANT;
+    quantity.kind = PDN_SHELL_RESULTANT;
     quantity.direction[1] = 2; /* axis 1 across the strip */
-    CHECK_STATUS(pdn_solution_sample_quantity(solution, &quantity, &time, 1, values), PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution, &quantity, &time, 1, values), PDN_OK);
     CHECK_NEAR(values[0], 0, 1e-7);
     CHECK_NEAR(values[7], traction, 1e-7);
-    quantity.kind = PDN_QUANTITY_STRESS_TOP;
+    quantity.kind = PDN_SHELL_STRESS_TOP;
     CHECK(pdn_quantity_components(&quantity) == 4);
-    CHECK_STATUS(pdn_solution_sample_quantity(solution, &quantity, &time, 1, values), PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution, &quantity, &time, 1, values), PDN_OK);
     CHECK_NEAR(values[1], traction / THICKNESS, 1e-5);
-    quantity.kind = PDN_QUANTITY_STRESS_BOTTOM;
+    quantity.kind = PDN_SHELL_STRESS_BOTTOM;
     quantity.component = 3;
     CHECK(pdn_quantity_components(&quantity) == 1);
-    CHECK_STATUS(pdn_solution_sample_quantity(solution, &quantity, &time, 1, values), PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution, &quantity, &time, 1, values), PDN_OK);
     CHECK_NEAR(values[0], traction / THICKNESS, 1e-5);
 
     quantity.station_eta = 1.1;
-    CHECK_STATUS(pdn_solution_sample_quantity(solution, &quantity, &time, 1, values),
-                 PDN_ERR_VALUE);
+    CHECK_STATUS(pdn_solution_sample(solution, &quantity, &time, 1, values), PDN_ERR_VALUE);
     CHECK_MESSAGE("quantity.station_eta: expected a number from -1 to 1, got 1.1");
     quantity.station_eta = 0;
     quantity.object = SHELL_ELEMENT(2);
-    CHECK_STATUS(pdn_solution_sample_quantity(solution, &quantity, &time, 1, values), PDN_ERR_ID);
+    CHECK_STATUS(pdn_solution_sample(solution, &quantity, &time, 1, values), PDN_ERR_ID);
     quantity.object = SHELL_ELEMENT(0);
     quantity.direction[2] = NAN;
-    CHECK_STATUS(pdn_solution_sample_quantity(solution, &quantity, &time, 1, values),
-                 PDN_ERR_NOT_FINITE);
+    CHECK_STATUS(pdn_solution_sample(solution, &quantity, &time, 1, values), PDN_ERR_NOT_FINITE);
     CHECK_MESSAGE("quantity.direction[2]: expected a finite number");
 }
 
@@ -283,7 +281,8 @@ static void loads(void)
     CHECK_STATUS(pdn_solve_static(model, NULL, &solution), PDN_OK);
     CHECK(pdn_solution_outcome(solution) == PDN_CONVERGED);
     CHECK_STATUS(pdn_model_shell_patch_node(model, &shell, 6, 1, &node), PDN_OK);
-    CHECK_STATUS(pdn_solution_node_position(solution, node, &time, 1, position), PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, node), &time, 1, position),
+                 PDN_OK);
     CHECK_NEAR(position[0] - length, traction * length / (YOUNG * THICKNESS), 1e-11);
     stretched(solution, traction);
     pdn_solution_free(solution);
@@ -295,7 +294,9 @@ static void loads(void)
         CHECK_STATUS(pdn_model_set_shell_prestress(model, shell.first_element, 2, resultants),
                      PDN_OK);
         CHECK_STATUS(pdn_solve_static(model, NULL, &solution), PDN_OK);
-        CHECK_STATUS(pdn_solution_node_position(solution, node, &time, 1, position), PDN_OK);
+        CHECK_STATUS(
+            pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, node), &time, 1, position),
+            PDN_OK);
         CHECK_NEAR(position[0], length, 1e-11);
         pdn_solution_free(solution);
     }
@@ -379,7 +380,9 @@ static void surface_forces(void)
         CHECK_STATUS(pdn_solve_static(model, NULL, &solution), PDN_OK);
         CHECK(pdn_solution_outcome(solution) == PDN_CONVERGED);
         CHECK_STATUS(pdn_model_shell_patch_node(model, &shell, 4, 0, &node), PDN_OK);
-        CHECK_STATUS(pdn_solution_node_position(solution, node, &time, 1, position), PDN_OK);
+        CHECK_STATUS(
+            pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, node), &time, 1, position),
+            PDN_OK);
         heights[k] = position[2];
         pdn_solution_free(solution);
         pdn_model_free(model);
@@ -467,7 +470,8 @@ static void roll_up(void)
     CHECK_STATUS(pdn_solve_static(model, &options, &solution), PDN_OK);
     CHECK(pdn_solution_outcome(solution) == PDN_CONVERGED);
     CHECK_STATUS(pdn_model_shell_patch_node(model, &shell, 11, 0, &node), PDN_OK);
-    CHECK_STATUS(pdn_solution_node_position(solution, node, &time, 1, tip), PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, node), &time, 1, tip),
+                 PDN_OK);
     CHECK_NEAR(sqrt(tip[0] * tip[0] + tip[2] * tip[2]) / length, 1.72955e-8, 1e-11);
     pdn_solution_free(solution);
     pdn_model_free(model);

@@ -178,18 +178,26 @@ struct node_samples {
 static void sample_node(int32_t node, const double *at, struct node_samples *to)
 {
     const int32_t space = PDN_FRAME_SPACE, material = PDN_FRAME_MATERIAL;
-    CHECK_STATUS(pdn_solution_node_position(solution, node, at, TIMES, to->position), PDN_OK);
-    CHECK_STATUS(pdn_solution_node_rotation(solution, node, at, TIMES, to->rotation), PDN_OK);
-    CHECK_STATUS(pdn_solution_node_quaternion(solution, node, at, TIMES, to->quaternion), PDN_OK);
-    CHECK_STATUS(pdn_solution_node_velocity(solution, node, space, at, TIMES, to->velocity),
-                 PDN_OK);
-    CHECK_STATUS(pdn_solution_node_acceleration(solution, node, space, at, TIMES, to->acceleration),
-                 PDN_OK);
     CHECK_STATUS(
-        pdn_solution_node_velocity(solution, node, material, at, TIMES, to->material_velocity),
+        pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, node), at, TIMES, to->position),
         PDN_OK);
-    CHECK_STATUS(pdn_solution_node_acceleration(solution, node, material, at, TIMES,
-                                                to->material_acceleration),
+    CHECK_STATUS(
+        pdn_solution_sample(solution, ASK(PDN_NODE_ROTATION, node), at, TIMES, to->rotation),
+        PDN_OK);
+    CHECK_STATUS(
+        pdn_solution_sample(solution, ASK(PDN_NODE_QUATERNION, node), at, TIMES, to->quaternion),
+        PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_NODE_VELOCITY, node, .frame = space), at,
+                                     TIMES, to->velocity),
+                 PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_NODE_ACCELERATION, node, .frame = space), at,
+                                     TIMES, to->acceleration),
+                 PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_NODE_VELOCITY, node, .frame = material), at,
+                                     TIMES, to->material_velocity),
+                 PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_NODE_ACCELERATION, node, .frame = material),
+                                     at, TIMES, to->material_acceleration),
                  PDN_OK);
 }
 
@@ -327,24 +335,31 @@ static void times_may_be_any(void)
     CHECK_STATUS(pdn_solution_grid_times(solution, grid, POINTS), PDN_OK);
     for (i = 0; i < POINTS; i++)
         CHECK_NEAR(grid[i], PERIOD * i / POINTS, 1e-15);
-    CHECK_STATUS(pdn_solution_node_position(solution, rotor, grid, POINTS, here), PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, rotor), grid, POINTS, here),
+                 PDN_OK);
     for (i = 0; i < POINTS; i++) {
-        CHECK_STATUS(pdn_solution_node_position(solution, rotor, grid + i, 1, one), PDN_OK);
+        CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, rotor), grid + i, 1, one),
+                     PDN_OK);
         CHECK(memcmp(one, here + 3 * i, sizeof one) == 0);
         CHECK_NEAR(one[0], ARM * cos(turn(grid[i])), 1e-12); /* to rounding at grid points */
         grid[i] -= 1000 * PERIOD;
     }
-    CHECK_STATUS(pdn_solution_node_position(solution, rotor, grid, POINTS, there), PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, rotor), grid, POINTS, there),
+                 PDN_OK);
     for (k = 0; k < 3 * POINTS; k++)
         CHECK_NEAR(here[k], there[k], 1e-11);
 
-    CHECK_STATUS(pdn_solution_node_position(solution, rotor, NULL, 0, NULL), PDN_OK);
-    CHECK_STATUS(pdn_solution_node_position(solution, rotor, grid, 0, &canary), PDN_OK);
-    CHECK_STATUS(pdn_solution_joint_coordinate(solution, motor, PDN_ROTATION, NULL, 0, NULL),
+    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, rotor), NULL, 0, NULL),
                  PDN_OK);
-    CHECK_STATUS(pdn_solution_joint_reaction(solution, motor, PDN_FRAME_SPACE, NULL, 0, NULL),
+    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, rotor), grid, 0, &canary),
                  PDN_OK);
-    CHECK_STATUS(pdn_solution_beam_force(solution, BEAM_ELEMENT(0), 0.0, NULL, 0, NULL), PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_COORDINATE, motor, PDN_ROTATION), NULL,
+                                     0, NULL),
+                 PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_REACTION, motor), NULL, 0, NULL),
+                 PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_BEAM_FORCE, BEAM_ELEMENT(0)), NULL, 0, NULL),
+                 PDN_OK);
     CHECK(canary == 7);
 }
 
@@ -356,17 +371,18 @@ struct joint_samples {
 
 static void sample_joint(int32_t joint, int32_t coordinate, struct joint_samples *to)
 {
-    CHECK_STATUS(
-        pdn_solution_joint_coordinate(solution, joint, coordinate, times, TIMES, to->coordinate),
-        PDN_OK);
-    CHECK_STATUS(pdn_solution_joint_rate(solution, joint, coordinate, times, TIMES, to->rate),
+    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_COORDINATE, joint, coordinate), times,
+                                     TIMES, to->coordinate),
                  PDN_OK);
-    CHECK_STATUS(pdn_solution_joint_acceleration(solution, joint, coordinate, times, TIMES,
-                                                 to->acceleration),
+    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_RATE, joint, coordinate), times, TIMES,
+                                     to->rate),
                  PDN_OK);
-    CHECK_STATUS(
-        pdn_solution_joint_driving_effort(solution, joint, coordinate, times, TIMES, to->effort),
-        PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_ACCELERATION, joint, coordinate),
+                                     times, TIMES, to->acceleration),
+                 PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_DRIVING_EFFORT, joint, coordinate),
+                                     times, TIMES, to->effort),
+                 PDN_OK);
 }
 
 /* Also through whole turns. */
@@ -400,19 +416,23 @@ static void the_ball_drives_three_angles(void)
             CHECK_NEAR(s.rate[i], w * TOP_SWING[k] * cos(w * times[i]), 1e-8);
             CHECK_NEAR(s.acceleration[i], -w * w * top_angle(k, times[i]), 1e-7);
         }
-        CHECK_STATUS(pdn_solution_joint_driving_effort(solution, ball, PDN_ROTATION + k, grid,
-                                                       POINTS, effort),
+        CHECK_STATUS(pdn_solution_sample(solution,
+                                         ASK(PDN_JOINT_DRIVING_EFFORT, ball, PDN_ROTATION + k),
+                                         grid, POINTS, effort),
                      PDN_OK);
-        CHECK_STATUS(pdn_solution_joint_rate(solution, ball, PDN_ROTATION + k, grid, POINTS, rate),
+        CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_RATE, ball, PDN_ROTATION + k),
+                                         grid, POINTS, rate),
                      PDN_OK);
         for (i = 0; i < POINTS; i++)
             power[i] += effort[i] * rate[i];
     }
-    CHECK_STATUS(
-        pdn_solution_node_velocity(solution, top, PDN_FRAME_MATERIAL, grid, POINTS, velocity),
-        PDN_OK);
-    CHECK_STATUS(pdn_solution_node_acceleration(solution, top, PDN_FRAME_MATERIAL, grid, POINTS,
-                                                acceleration),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     ASK(PDN_NODE_VELOCITY, top, .frame = PDN_FRAME_MATERIAL), grid,
+                                     POINTS, velocity),
+                 PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     ASK(PDN_NODE_ACCELERATION, top, .frame = PDN_FRAME_MATERIAL),
+                                     grid, POINTS, acceleration),
                  PDN_OK);
     for (i = 0; i < POINTS; i++) {
         double growth = 0;
@@ -430,14 +450,19 @@ static void reactions_are_those_of_newton(void)
     double space[6 * TIMES], first[6 * TIMES], second[6 * TIMES], rotation[9 * TIMES], axes[9];
     int i, k;
     joint_axes(axes);
-    CHECK_STATUS(pdn_solution_node_rotation(solution, rotor, times, TIMES, rotation), PDN_OK);
-    CHECK_STATUS(pdn_solution_joint_reaction(solution, motor, PDN_FRAME_SPACE, times, TIMES, space),
-                 PDN_OK);
-    CHECK_STATUS(pdn_solution_joint_reaction(solution, motor, PDN_FRAME_FIRST, times, TIMES, first),
-                 PDN_OK);
     CHECK_STATUS(
-        pdn_solution_joint_reaction(solution, motor, PDN_FRAME_SECOND, times, TIMES, second),
+        pdn_solution_sample(solution, ASK(PDN_NODE_ROTATION, rotor), times, TIMES, rotation),
         PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_REACTION, motor), times, TIMES, space),
+                 PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     ASK(PDN_JOINT_REACTION, motor, .frame = PDN_FRAME_FIRST),
+                                     times, TIMES, first),
+                 PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     ASK(PDN_JOINT_REACTION, motor, .frame = PDN_FRAME_SECOND),
+                                     times, TIMES, second),
+                 PDN_OK);
     for (i = 0; i < TIMES; i++) {
         const double c = cos(turn(times[i])), d = sin(turn(times[i]));
         const double w = turn_rate(times[i]), a = turn_acceleration(times[i]);
@@ -465,9 +490,11 @@ static void reactions_are_those_of_newton(void)
 
     /* The ball carries the weight, and no moment. The clamp carries the moment on the beam's end.
      */
-    CHECK_STATUS(pdn_solution_joint_reaction(solution, ball, PDN_FRAME_SPACE, times, TIMES, space),
+    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_REACTION, ball), times, TIMES, space),
                  PDN_OK);
-    CHECK_STATUS(pdn_solution_joint_reaction(solution, clamp, PDN_FRAME_FIRST, times, TIMES, first),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     ASK(PDN_JOINT_REACTION, clamp, .frame = PDN_FRAME_FIRST),
+                                     times, TIMES, first),
                  PDN_OK);
     for (i = 0; i < TIMES; i++) {
         const double weight[6] = {0, 0, TOP_MASS * GRAVITY, 0, 0, 0};
@@ -492,17 +519,21 @@ static void the_beam_bends_evenly(void)
     int i, k;
     for (element = BEAM_ELEMENT(0); element < BEAM_ELEMENT(beam.elements); element++) {
         for (s = 0; s < sizeof stations / sizeof *stations; s++) {
-            CHECK_STATUS(
-                pdn_solution_beam_strain(solution, element, stations[s], times, TIMES, strain),
-                PDN_OK);
-            CHECK_STATUS(
-                pdn_solution_beam_force(solution, element, stations[s], times, TIMES, force),
-                PDN_OK);
-            CHECK_STATUS(pdn_solution_beam_force_between(solution, element, stations[s], times,
-                                                         TIMES, mean, jump),
+            CHECK_STATUS(pdn_solution_sample(solution,
+                                             ASK(PDN_BEAM_STRAIN, element, .station = stations[s]),
+                                             times, TIMES, strain),
                          PDN_OK);
-            CHECK_STATUS(pdn_solution_beam_force_between(solution, element, stations[s], times,
-                                                         TIMES, NULL, NULL),
+            CHECK_STATUS(pdn_solution_sample(solution,
+                                             ASK(PDN_BEAM_FORCE, element, .station = stations[s]),
+                                             times, TIMES, force),
+                         PDN_OK);
+            CHECK_STATUS(pdn_solution_sample(
+                             solution, ASK(PDN_BEAM_FORCE_MEAN, element, .station = stations[s]),
+                             times, TIMES, mean),
+                         PDN_OK);
+            CHECK_STATUS(pdn_solution_sample(
+                             solution, ASK(PDN_BEAM_FORCE_JUMP, element, .station = stations[s]),
+                             times, TIMES, jump),
                          PDN_OK);
             for (i = 0; i < 6 * TIMES; i++) {
                 const double side = fabs(stations[s]) == 1 ? 0.5 * stations[s] : 0;
@@ -583,14 +614,14 @@ static void harmonics_beyond_those_of_the_grid_are_zero(void)
     enum { MORE = HARMONICS + 3 };
     double cosines[3 * MORE], sines[3 * MORE], fewer[3 * HARMONICS];
     size_t i;
-    CHECK_STATUS(pdn_solution_node_harmonics(solution, rotor, PDN_NODE_POSITION, HARMONICS, NULL,
-                                             fewer, NULL),
+    CHECK_STATUS(pdn_solution_harmonics(solution, ASK(PDN_NODE_POSITION, rotor), HARMONICS, NULL,
+                                        NULL, fewer, NULL),
                  PDN_OK);
     for (i = 0; i < 3 * MORE; i++)
         cosines[i] = sines[i] = 7;
-    CHECK_STATUS(
-        pdn_solution_node_harmonics(solution, rotor, PDN_NODE_POSITION, MORE, NULL, cosines, sines),
-        PDN_OK);
+    CHECK_STATUS(pdn_solution_harmonics(solution, ASK(PDN_NODE_POSITION, rotor), MORE, NULL, NULL,
+                                        cosines, sines),
+                 PDN_OK);
     CHECK(memcmp(cosines, fewer, sizeof fewer) == 0);
     for (i = 3 * HARMONICS; i < 3 * MORE; i++)
         CHECK(cosines[i] == 0 && sines[i] == 0);
@@ -599,115 +630,77 @@ static void harmonics_beyond_those_of_the_grid_are_zero(void)
 static void node_harmonics_are_those_of_the_samples(void)
 {
     static const struct {
-        int32_t quantity;
+        int32_t kind;
         int components;
-    } cases[] = {{PDN_NODE_POSITION, 3},
-                 {PDN_NODE_ROTATION, 9},
-                 {PDN_NODE_QUATERNION, 4},
-                 {PDN_NODE_VELOCITY, 6},
-                 {PDN_NODE_ACCELERATION, 6},
-                 {PDN_NODE_MATERIAL_VELOCITY, 6},
-                 {PDN_NODE_MATERIAL_ACCELERATION, 6}};
+        int32_t frame;
+    } cases[] = {
+        {PDN_NODE_POSITION, 3, PDN_FRAME_SPACE},       {PDN_NODE_ROTATION, 9, PDN_FRAME_SPACE},
+        {PDN_NODE_QUATERNION, 4, PDN_FRAME_SPACE},     {PDN_NODE_VELOCITY, 6, PDN_FRAME_SPACE},
+        {PDN_NODE_ACCELERATION, 6, PDN_FRAME_SPACE},   {PDN_NODE_VELOCITY, 6, PDN_FRAME_MATERIAL},
+        {PDN_NODE_ACCELERATION, 6, PDN_FRAME_MATERIAL}};
     const int32_t nodes[] = {rotor, beam.last, top};
     double grid[POINTS], samples[COMPONENTS * POINTS];
     size_t n, c;
     CHECK_STATUS(pdn_solution_grid_times(solution, grid, POINTS), PDN_OK);
     for (n = 0; n < 3; n++) {
-        const int32_t node = nodes[n];
         for (c = 0; c < sizeof cases / sizeof *cases; c++) {
-            const int32_t quantity = cases[c].quantity;
-            const int32_t frame =
-                quantity >= PDN_NODE_MATERIAL_VELOCITY ? PDN_FRAME_MATERIAL : PDN_FRAME_SPACE;
+            const pdn_quantity *const asked = ASK(cases[c].kind, nodes[n], .frame = cases[c].frame);
             struct series series;
             memset(&series, 0, sizeof series);
-            if (quantity == PDN_NODE_QUATERNION && node == rotor) {
-                CHECK_STATUS(pdn_solution_node_harmonics(solution, node, quantity, HARMONICS,
-                                                         series.mean, series.cosines, series.sines),
+            if (cases[c].kind == PDN_NODE_QUATERNION && nodes[n] == rotor) {
+                CHECK_STATUS(pdn_solution_harmonics(solution, asked, HARMONICS, series.mean, NULL,
+                                                    series.cosines, series.sines),
                              PDN_ERR_NOT_AVAILABLE);
                 CHECK_MESSAGE("odd number of turns");
                 CHECK(series.mean[0] == 0 && series.cosines[0] == 0 && series.sines[0] == 0);
                 continue;
             }
-            CHECK_STATUS(pdn_solution_node_harmonics(solution, node, quantity, HARMONICS,
-                                                     series.mean, series.cosines, series.sines),
+            CHECK_STATUS(pdn_solution_harmonics(solution, asked, HARMONICS, series.mean, NULL,
+                                                series.cosines, series.sines),
                          PDN_OK);
-            switch (quantity) {
-            case PDN_NODE_POSITION:
-                CHECK_STATUS(pdn_solution_node_position(solution, node, grid, POINTS, samples),
-                             PDN_OK);
-                break;
-            case PDN_NODE_ROTATION:
-                CHECK_STATUS(pdn_solution_node_rotation(solution, node, grid, POINTS, samples),
-                             PDN_OK);
-                break;
-            case PDN_NODE_QUATERNION:
-                CHECK_STATUS(pdn_solution_node_quaternion(solution, node, grid, POINTS, samples),
-                             PDN_OK);
-                break;
-            case PDN_NODE_VELOCITY:
-            case PDN_NODE_MATERIAL_VELOCITY:
-                CHECK_STATUS(
-                    pdn_solution_node_velocity(solution, node, frame, grid, POINTS, samples),
-                    PDN_OK);
-                break;
-            default:
-                CHECK_STATUS(
-                    pdn_solution_node_acceleration(solution, node, frame, grid, POINTS, samples),
-                    PDN_OK);
-            }
+            CHECK_STATUS(pdn_solution_sample(solution, asked, grid, POINTS, samples), PDN_OK);
             check_series(&series, cases[c].components, grid, POINTS, samples, 1e-11);
-            CHECK_PARTS(series, (size_t)cases[c].components,
-                        pdn_solution_node_harmonics(solution, node, quantity, harmonics, mean,
-                                                    cosines, sines));
+            CHECK_PARTS(
+                series, (size_t)cases[c].components,
+                pdn_solution_harmonics(solution, asked, harmonics, mean, NULL, cosines, sines));
         }
     }
 }
 
 static void joint_harmonics_are_those_of_the_samples(void)
 {
-    typedef pdn_status accessor(const pdn_solution *, int32_t, int32_t, const double *, size_t,
-                                double *);
-    static const struct {
-        int32_t quantity;
-        accessor *sample;
-        int components;
-        int32_t first_detail, last_detail;
-    } cases[] = {
-        {PDN_JOINT_COORDINATE, pdn_solution_joint_coordinate, 1, PDN_ROTATION, PDN_ROTATION_3},
-        {PDN_JOINT_RATE, pdn_solution_joint_rate, 1, PDN_ROTATION, PDN_ROTATION_3},
-        {PDN_JOINT_ACCELERATION, pdn_solution_joint_acceleration, 1, PDN_ROTATION, PDN_ROTATION_3},
-        {PDN_JOINT_DRIVING_EFFORT, pdn_solution_joint_driving_effort, 1, PDN_ROTATION,
-         PDN_ROTATION_3},
-        {PDN_JOINT_REACTION, pdn_solution_joint_reaction, 6, PDN_FRAME_SPACE, PDN_FRAME_SECOND},
-    };
     const int32_t joints[] = {motor, clamp, ball};
     double samples[6 * TIMES];
-    size_t n, c;
+    size_t n;
+    int32_t kind, detail;
     for (n = 0; n < 3; n++) {
         const int32_t joint = joints[n];
-        for (c = 0; c < sizeof cases / sizeof *cases; c++) {
-            int32_t detail;
-            for (detail = cases[c].first_detail; detail <= cases[c].last_detail;
+        for (kind = PDN_JOINT_COORDINATE; kind <= PDN_JOINT_REACTION; kind++) {
+            const int reaction = kind == PDN_JOINT_REACTION;
+            const int components = reaction ? 6 : 1;
+            const int32_t first = reaction ? PDN_FRAME_SPACE : PDN_ROTATION;
+            const int32_t last = reaction ? PDN_FRAME_SECOND : PDN_ROTATION_3;
+            for (detail = first; detail <= last;
                  detail = detail == PDN_FRAME_SPACE ? PDN_FRAME_FIRST : detail + 1) {
-                const int32_t quantity = cases[c].quantity;
-                const int exists = quantity == PDN_JOINT_REACTION || joint == ball ||
-                                   (joint == motor && detail == PDN_ROTATION);
+                const int exists =
+                    reaction || joint == ball || (joint == motor && detail == PDN_ROTATION);
+                const pdn_quantity *const asked =
+                    reaction ? ASK(kind, joint, .frame = detail) : ASK(kind, joint, detail);
                 struct series series;
                 memset(&series, 0, sizeof series);
-                CHECK_STATUS(pdn_solution_joint_harmonics(solution, joint, quantity, detail,
-                                                          HARMONICS, series.mean, series.rate,
-                                                          series.cosines, series.sines),
+                CHECK_STATUS(pdn_solution_harmonics(solution, asked, HARMONICS, series.mean,
+                                                    series.rate, series.cosines, series.sines),
                              exists ? PDN_OK : PDN_ERR_NOT_AVAILABLE);
-                CHECK_STATUS(cases[c].sample(solution, joint, detail, times, TIMES, samples),
+                CHECK_STATUS(pdn_solution_sample(solution, asked, times, TIMES, samples),
                              exists ? PDN_OK : PDN_ERR_NOT_AVAILABLE);
                 if (!exists)
                     continue;
-                check_series(&series, cases[c].components, times, TIMES, samples, 1e-10);
+                check_series(&series, components, times, TIMES, samples, 1e-10);
                 CHECK_NEAR(series.rate[0],
-                           joint == motor && quantity == PDN_JOINT_COORDINATE ? OMEGA : 0, 1e-15);
-                CHECK_PARTS(series, (size_t)cases[c].components,
-                            pdn_solution_joint_harmonics(solution, joint, quantity, detail,
-                                                         harmonics, mean, NULL, cosines, sines));
+                           joint == motor && kind == PDN_JOINT_COORDINATE ? OMEGA : 0, 1e-15);
+                CHECK_PARTS(
+                    series, (size_t)components,
+                    pdn_solution_harmonics(solution, asked, harmonics, mean, NULL, cosines, sines));
             }
         }
     }
@@ -716,24 +709,20 @@ static void joint_harmonics_are_those_of_the_samples(void)
 static void beam_harmonics_are_those_of_the_samples(void)
 {
     double samples[6 * TIMES];
-    int32_t element, quantity;
+    int32_t element, kind;
     for (element = BEAM_ELEMENT(0); element < BEAM_ELEMENT(beam.elements); element++) {
-        for (quantity = PDN_BEAM_STRAIN; quantity <= PDN_BEAM_FORCE; quantity++) {
-            const double station = 0.4;
+        for (kind = PDN_BEAM_STRAIN; kind <= PDN_BEAM_FORCE; kind++) {
+            const pdn_quantity *const asked = ASK(kind, element, .station = 0.4);
             struct series series;
             memset(&series, 0, sizeof series);
-            CHECK_STATUS(pdn_solution_beam_harmonics(solution, element, station, quantity,
-                                                     HARMONICS, series.mean, series.cosines,
-                                                     series.sines),
+            CHECK_STATUS(pdn_solution_harmonics(solution, asked, HARMONICS, series.mean, NULL,
+                                                series.cosines, series.sines),
                          PDN_OK);
-            CHECK_STATUS(
-                (quantity == PDN_BEAM_STRAIN ? pdn_solution_beam_strain : pdn_solution_beam_force)(
-                    solution, element, station, times, TIMES, samples),
-                PDN_OK);
+            CHECK_STATUS(pdn_solution_sample(solution, asked, times, TIMES, samples), PDN_OK);
             check_series(&series, 6, times, TIMES, samples, 1e-10);
-            CHECK_PARTS(series, 6,
-                        pdn_solution_beam_harmonics(solution, element, station, quantity, harmonics,
-                                                    mean, cosines, sines));
+            CHECK_PARTS(
+                series, 6,
+                pdn_solution_harmonics(solution, asked, harmonics, mean, NULL, cosines, sines));
         }
     }
 }
@@ -780,8 +769,8 @@ static void history_and_decay_are_told(void)
 
     /* The rotor has the largest first harmonic of all. */
     CHECK_STATUS(pdn_solution_decay(solution, decay, HARMONICS + 1), PDN_OK);
-    CHECK_STATUS(pdn_solution_node_harmonics(solution, rotor, PDN_NODE_ROTATION, HARMONICS,
-                                             rotation, cosines, sines),
+    CHECK_STATUS(pdn_solution_harmonics(solution, ASK(PDN_NODE_ROTATION, rotor), HARMONICS,
+                                        rotation, NULL, cosines, sines),
                  PDN_OK);
     CHECK_NEAR(decay[1], sqrt(cosines[0] * cosines[0] + sines[0] * sines[0]), 1e-12);
     CHECK_NEAR(decay[0], 1, 1e-2); /* the axis that stands still */

@@ -13,11 +13,10 @@ static struct {
     const pdn_solution *solution;
     pdn_periodic_options options;
     pdn_diagnostics diagnostics;
-    double period, station;
+    double period;
     double times[TIMES];
     size_t count, grid_count, decay_count, iterations, harmonics, points;
-    int32_t node, joint, element, frame, coordinate, axes, node_quantity, joint_quantity, detail;
-    int32_t beam_quantity;
+    pdn_quantity asked;
     double positions[3 * POINTS * NODES], rotations[9 * POINTS * NODES];
 } in;
 
@@ -117,13 +116,6 @@ static void set_up(void)
     in.grid_count = in.points = POINTS;
     in.decay_count = (POINTS + 1) / 2;
     in.harmonics = (POINTS - 1) / 2;
-    in.node = NODE(0);
-    in.joint = JOINT(0);
-    in.element = BEAM_ELEMENT(0);
-    in.coordinate = in.detail = PDN_ROTATION;
-    in.frame = in.axes = PDN_FRAME_SPACE;
-    in.node_quantity = PDN_NODE_POSITION;
-    in.beam_quantity = PDN_BEAM_STRAIN;
     for (i = 0; i < TIMES; i++)
         in.times[i] = 0.3 * (double)i;
     for (i = 0; i < LENGTH(in.rotations); i += 9)
@@ -371,98 +363,66 @@ static void wholes(void)
         }                                                                                          \
     } while (0)
 
-typedef pdn_status at_times(const pdn_solution *, int32_t, const double *, size_t, double *);
-typedef pdn_status chosen_at_times(const pdn_solution *, int32_t, int32_t, const double *, size_t,
-                                   double *);
-typedef pdn_status at_station(const pdn_solution *, int32_t, double, const double *, size_t,
-                              double *);
-
-static at_times *const plain_of_nodes[] = {pdn_solution_node_position, pdn_solution_node_rotation,
-                                           pdn_solution_node_quaternion};
-static chosen_at_times *const framed_of_nodes[] = {pdn_solution_node_velocity,
-                                                   pdn_solution_node_acceleration};
-static chosen_at_times *const of_coordinates[] = {
-    pdn_solution_joint_coordinate, pdn_solution_joint_rate, pdn_solution_joint_acceleration,
-    pdn_solution_joint_driving_effort};
-static pdn_status mean_force(const pdn_solution *solution, int32_t element, double station,
-                             const double *times, size_t count, double *out)
+static pdn_quantity asked_of(int32_t kind, int32_t object)
 {
-    double jump[6 * 1000];
-    /* One of the two may be left out; here it is this if there is no room. */
-    if (out == NULL)
-        return pdn_solution_beam_force(solution, element, station, times, count, out);
-    return pdn_solution_beam_force_between(solution, element, station, times, count, out,
-                                           count > 1000 ? NULL : jump);
+    return pdn_quantity_of(kind, object, PDN_ALL_COMPONENTS);
 }
 
-static at_station *const of_beams[] = {pdn_solution_beam_strain, pdn_solution_beam_force,
-                                       mean_force};
+#define SAMPLE pdn_solution_sample(solution, &in.asked, times, in.count, values)
 
 static void samples_of_nodes(void)
 {
-    size_t f;
-    for (f = 0; f < LENGTH(plain_of_nodes); f++) {
-        at_times *const sample = plain_of_nodes[f];
-#define CALL sample(solution, in.node, times, in.count, values)
+    int32_t kind;
+    for (kind = PDN_NODE_POSITION; kind <= PDN_NODE_ACCELERATION; kind++) {
         POINTERS
-        REFUSES_BAD_SAMPLING(CALL);
-        REFUSES_IDS(in.node, CALL, "node");
-#undef CALL
-    }
-    for (f = 0; f < LENGTH(framed_of_nodes); f++) {
-        chosen_at_times *const sample = framed_of_nodes[f];
-#define CALL sample(solution, in.node, in.frame, times, in.count, values)
-        POINTERS
-        REFUSES_BAD_SAMPLING(CALL);
-        REFUSES_IDS(in.node, CALL, "node");
-        REFUSES_ENUMS(in.frame, CALL, "frame");
-#undef CALL
+        in.asked = asked_of(kind, NODE(0));
+        REFUSES_BAD_SAMPLING(SAMPLE);
+        REFUSES_OBJECTS(in.asked.object, SAMPLE, "node", "object");
+        REFUSES_EACH(in.asked.kind, int32_t, bad_enums, SAMPLE, PDN_ERR_VALUE,
+                     "quantity.kind: expected PDN_");
+        if (kind >= PDN_NODE_VELOCITY)
+            REFUSES_ENUMS(in.asked.frame, SAMPLE, "quantity.frame");
+        REFUSED(pdn_solution_sample(solution, NULL, times, in.count, values), PDN_ERR_NULL,
+                "quantity: expected a pointer, got NULL");
     }
 }
 
+static const int32_t lacking[] = {PDN_ROTATION_2, PDN_ROTATION_3};
+
 static void samples_of_joints(void)
 {
-    static const int32_t lacking[] = {PDN_ROTATION_2, PDN_ROTATION_3};
-    size_t f;
-    for (f = 0; f < LENGTH(of_coordinates); f++) {
-        chosen_at_times *const sample = of_coordinates[f];
-#define CALL sample(solution, in.joint, in.coordinate, times, in.count, values)
-        POINTERS
-        in.joint = JOINT(1);
-        REFUSES_BAD_SAMPLING(CALL);
-        REFUSES_IDS(in.joint, CALL, "joint");
-        REFUSES_ENUMS(in.coordinate, CALL, "coordinate");
-        REFUSES_EACH(in.coordinate, int32_t, lacking, CALL, PDN_ERR_NOT_AVAILABLE,
+    int32_t kind;
+    POINTERS
+    for (kind = PDN_JOINT_COORDINATE; kind <= PDN_JOINT_DRIVING_EFFORT; kind++) {
+        in.asked = pdn_quantity_of(kind, JOINT(1), PDN_ROTATION);
+        REFUSES_BAD_SAMPLING(SAMPLE);
+        REFUSES_OBJECTS(in.asked.object, SAMPLE, "joint", "object");
+        REFUSES_ENUMS(in.asked.component, SAMPLE, "quantity.component");
+        REFUSES_EACH(in.asked.component, int32_t, lacking, SAMPLE, PDN_ERR_NOT_AVAILABLE,
                      "coordinate: expected one of a revolute joint");
-        in.joint = JOINT(0);
-        if (sample == pdn_solution_joint_driving_effort)
-            REFUSED(CALL, PDN_ERR_NOT_AVAILABLE, "");
-#undef CALL
+        in.asked.object = JOINT(0);
+        if (kind == PDN_JOINT_DRIVING_EFFORT)
+            REFUSED(SAMPLE, PDN_ERR_NOT_AVAILABLE, "");
     }
-    {
-#define CALL pdn_solution_joint_reaction(solution, in.joint, in.axes, times, in.count, values)
-        POINTERS
-        REFUSES_BAD_SAMPLING(CALL);
-        REFUSES_IDS(in.joint, CALL, "joint");
-        REFUSES_ENUMS(in.axes, CALL, "axes");
-#undef CALL
-    }
+    in.asked = asked_of(PDN_JOINT_REACTION, JOINT(0));
+    REFUSES_BAD_SAMPLING(SAMPLE);
+    REFUSES_OBJECTS(in.asked.object, SAMPLE, "joint", "object");
+    REFUSES_ENUMS(in.asked.frame, SAMPLE, "quantity.frame");
 }
 
 static const double outside[] = {-1.0000001, 1.0000001, 1e300};
 
 static void samples_of_beams(void)
 {
-    size_t f;
-    for (f = 0; f < LENGTH(of_beams); f++) {
-        at_station *const sample = of_beams[f];
-#define CALL sample(solution, in.element, in.station, times, in.count, values)
-        POINTERS
-        REFUSES_BAD_SAMPLING(CALL);
-        REFUSES_IDS(in.element, CALL, "element");
-        REFUSES_NOT_FINITE(in.station, CALL, "station");
-        REFUSES_EACH(in.station, double, outside, CALL, PDN_ERR_VALUE, "station: expected ");
-#undef CALL
+    int32_t kind;
+    POINTERS
+    for (kind = PDN_BEAM_STRAIN; kind <= PDN_BEAM_FORCE_JUMP; kind++) {
+        in.asked = asked_of(kind, BEAM_ELEMENT(0));
+        REFUSES_BAD_SAMPLING(SAMPLE);
+        REFUSES_OBJECTS(in.asked.object, SAMPLE, "element", "object");
+        REFUSES_NOT_FINITE(in.asked.station, SAMPLE, "station");
+        REFUSES_EACH(in.asked.station, double, outside, SAMPLE, PDN_ERR_VALUE,
+                     "station: expected ");
     }
 }
 
@@ -470,57 +430,48 @@ static void samples_of_beams(void)
 
 static const size_t too_many_harmonics[] = {((size_t)1 << 20) + 1, (size_t)-1 / 2, (size_t)-1};
 
+#define SERIES(solution)                                                                           \
+    pdn_solution_harmonics(solution, &in.asked, in.harmonics, out.values, out.rate, out.cosines,   \
+                           out.sines)
+#define REFUSES_BAD_SERIES(own)                                                                    \
+    do {                                                                                           \
+        REFUSED(SERIES(NULL), PDN_ERR_NULL, "solution: expected a pointer, got NULL");             \
+        REFUSES_OBJECTS(in.asked.object, SERIES(in.solution), own, "object");                      \
+        REFUSES_EACH(in.asked.kind, int32_t, bad_enums, SERIES(in.solution), PDN_ERR_VALUE,        \
+                     "quantity.kind: expected PDN_");                                              \
+        REFUSES_SIZES(in.harmonics, too_many_harmonics, SERIES(in.solution), "harmonics");         \
+        CHECK_STATUS(SERIES(in.solution), PDN_OK);                                                 \
+    } while (0)
+
 static void harmonics(void)
 {
-    static const int32_t lacking[] = {PDN_ROTATION_2, PDN_ROTATION_3};
-    const pdn_solution *solution = in.solution;
-
-#define CALL                                                                                       \
-    pdn_solution_node_harmonics(solution, in.node, in.node_quantity, in.harmonics, out.values,     \
-                                out.cosines, out.sines)
-    REFUSES_NULL(solution, CALL, "solution");
-    solution = in.solution;
-    REFUSES_IDS(in.node, CALL, "node");
-    REFUSES_ENUMS(in.node_quantity, CALL, "quantity");
-    REFUSES_SIZES(in.harmonics, too_many_harmonics, CALL, "harmonics");
-    CHECK_STATUS(CALL, PDN_OK);
-#undef CALL
-
-#define CALL                                                                                       \
-    pdn_solution_joint_harmonics(solution, in.joint, in.joint_quantity, in.detail, in.harmonics,   \
-                                 out.values, out.rate, out.cosines, out.sines)
-    REFUSES_NULL(solution, CALL, "solution");
-    solution = in.solution;
-    for (in.joint_quantity = PDN_JOINT_COORDINATE; in.joint_quantity <= PDN_JOINT_REACTION;
-         in.joint_quantity++) {
-        in.detail = in.joint_quantity == PDN_JOINT_REACTION ? PDN_FRAME_SECOND : PDN_ROTATION;
-        in.joint = JOINT(1);
-        REFUSES_IDS(in.joint, CALL, "joint");
-        REFUSES_ENUMS(in.joint_quantity, CALL, "quantity");
-        REFUSES_ENUMS(in.detail, CALL, "detail");
-        REFUSES_SIZES(in.harmonics, too_many_harmonics, CALL, "harmonics");
-        CHECK_STATUS(CALL, PDN_OK);
-        if (in.joint_quantity != PDN_JOINT_REACTION)
-            REFUSES_EACH(in.detail, int32_t, lacking, CALL, PDN_ERR_NOT_AVAILABLE, "coordinate: ");
-        in.joint = JOINT(0);
-        if (in.joint_quantity == PDN_JOINT_DRIVING_EFFORT)
-            REFUSED(CALL, PDN_ERR_NOT_AVAILABLE, "");
+    int32_t kind;
+    REFUSED(pdn_solution_harmonics(in.solution, NULL, 1, NULL, NULL, NULL, NULL), PDN_ERR_NULL,
+            "quantity: expected a pointer, got NULL");
+    for (kind = PDN_NODE_POSITION; kind <= PDN_NODE_ACCELERATION; kind++) {
+        in.asked = asked_of(kind, NODE(0));
+        REFUSES_BAD_SERIES("node");
     }
-    in.joint_quantity = PDN_JOINT_COORDINATE;
-#undef CALL
-
-#define CALL                                                                                       \
-    pdn_solution_beam_harmonics(solution, in.element, in.station, in.beam_quantity, in.harmonics,  \
-                                out.values, out.cosines, out.sines)
-    REFUSES_NULL(solution, CALL, "solution");
-    solution = in.solution;
-    REFUSES_IDS(in.element, CALL, "element");
-    REFUSES_NOT_FINITE(in.station, CALL, "station");
-    REFUSES_EACH(in.station, double, outside, CALL, PDN_ERR_VALUE, "station: expected ");
-    REFUSES_ENUMS(in.beam_quantity, CALL, "quantity");
-    REFUSES_SIZES(in.harmonics, too_many_harmonics, CALL, "harmonics");
-    CHECK_STATUS(CALL, PDN_OK);
-#undef CALL
+    for (kind = PDN_JOINT_COORDINATE; kind <= PDN_JOINT_DRIVING_EFFORT; kind++) {
+        in.asked = pdn_quantity_of(kind, JOINT(1), PDN_ROTATION);
+        REFUSES_BAD_SERIES("joint");
+        REFUSES_ENUMS(in.asked.component, SERIES(in.solution), "quantity.component");
+        REFUSES_EACH(in.asked.component, int32_t, lacking, SERIES(in.solution),
+                     PDN_ERR_NOT_AVAILABLE, "coordinate: ");
+        in.asked.object = JOINT(0);
+        if (kind == PDN_JOINT_DRIVING_EFFORT)
+            REFUSED(SERIES(in.solution), PDN_ERR_NOT_AVAILABLE, "");
+    }
+    in.asked = asked_of(PDN_JOINT_REACTION, JOINT(1));
+    REFUSES_BAD_SERIES("joint");
+    REFUSES_ENUMS(in.asked.frame, SERIES(in.solution), "quantity.frame");
+    for (kind = PDN_BEAM_STRAIN; kind <= PDN_BEAM_FORCE_JUMP; kind++) {
+        in.asked = asked_of(kind, BEAM_ELEMENT(0));
+        REFUSES_BAD_SERIES("element");
+        REFUSES_NOT_FINITE(in.asked.station, SERIES(in.solution), "station");
+        REFUSES_EACH(in.asked.station, double, outside, SERIES(in.solution), PDN_ERR_VALUE,
+                     "station: expected ");
+    }
 }
 
 /* --- Motions without a model --- */
@@ -596,7 +547,7 @@ static void grids_too_coarse(void)
 {
     const pdn_model *const saved = in.model;
     double angle[POINTS], time = 0.2 * in.period;
-    size_t f;
+    int32_t kind;
     int k;
     pdn_signal signal;
     pdn_model *made;
@@ -618,12 +569,11 @@ static void grids_too_coarse(void)
     in.model = made = wheel(&signal, NULL, 0);
     CHECK_STATUS(pdn_solve_periodic(made, in.period, &in.options, &coarse), PDN_OK);
     CHECK(pdn_solution_outcome(coarse) == PDN_CONVERGED);
-    for (f = 0; f < LENGTH(plain_of_nodes); f++)
-        REFUSED(plain_of_nodes[f](coarse, NODE(0), &time, 1, out.values),
+    for (kind = PDN_NODE_POSITION; kind <= PDN_NODE_ACCELERATION; kind++) {
+        in.asked = asked_of(kind, NODE(0));
+        REFUSED(pdn_solution_sample(coarse, &in.asked, &time, 1, out.values),
                 PDN_ERR_GRID_TOO_COARSE, "");
-    for (f = 0; f < LENGTH(framed_of_nodes); f++)
-        REFUSED(framed_of_nodes[f](coarse, NODE(0), PDN_FRAME_SPACE, &time, 1, out.values),
-                PDN_ERR_GRID_TOO_COARSE, "");
+    }
     in.options.grid_points = 5;
     in.options.initial = coarse;
     REFUSED(solve(), PDN_ERR_GRID_TOO_COARSE, "");

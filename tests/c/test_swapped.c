@@ -116,43 +116,25 @@ static pdn_status sample_signal(const int32_t *v)
     return pdn_model_sample_signal(model, v[0], v[1], v[2], 2, time_, 1, values);
 }
 
-#define OF_SOLUTION(name)                                                                          \
-    static pdn_status name(const int32_t *v)                                                       \
-    {                                                                                              \
-        return pdn_solution_##name(solution, v[0], v[1], time_, 1, values);                        \
-    }
+static pdn_status sample(const int32_t *v)
+{
+    return pdn_solution_sample(solution, ASK(v[0], v[1], v[2]), time_, 1, values);
+}
 
-OF_SOLUTION(node_velocity)
-OF_SOLUTION(node_acceleration)
-OF_SOLUTION(joint_coordinate)
-OF_SOLUTION(joint_rate)
-OF_SOLUTION(joint_acceleration)
-OF_SOLUTION(joint_driving_effort)
-OF_SOLUTION(joint_reaction)
+static pdn_status sample_in_frame(const int32_t *v)
+{
+    return pdn_solution_sample(solution, ASK(v[0], v[1], .frame = v[2]), time_, 1, values);
+}
 
 static pdn_status force_on_node(const int32_t *v)
 {
-    return pdn_solution_force_on_node(solution, v[0], v[1], v[2], time_, 1, values);
+    return pdn_solution_sample(solution, ASK(PDN_FORCE_ON_NODE, v[0], .node = v[1], .frame = v[2]),
+                               time_, 1, values);
 }
 
-static pdn_status node_harmonics(const int32_t *v)
+static pdn_status harmonics(const int32_t *v)
 {
-    return pdn_solution_node_harmonics(solution, v[0], v[1], 0, values, NULL, NULL);
-}
-
-static pdn_status joint_harmonics(const int32_t *v)
-{
-    return pdn_solution_joint_harmonics(solution, v[0], v[1], v[2], 0, values, NULL, NULL, NULL);
-}
-
-static pdn_status beam_harmonics(const int32_t *v)
-{
-    return pdn_solution_beam_harmonics(solution, v[0], 0, v[1], 0, values, NULL, NULL);
-}
-
-static pdn_status force_harmonics(const int32_t *v)
-{
-    return pdn_solution_force_harmonics(solution, v[0], v[1], v[2], 0, values, NULL, NULL, NULL);
+    return pdn_solution_harmonics(solution, ASK(v[0], v[1]), 0, values, NULL, NULL, NULL);
 }
 
 /* Whether these may well be meant the other way round. */
@@ -213,18 +195,18 @@ static const struct {
      sample_signal,
      2,
      {PDN_SIGNAL_OF_PRESCRIBED, PRESCRIBED(0)}},
-    {"velocity", node_velocity, 2, {NODE(0), PDN_FRAME_SPACE}},
-    {"acceleration", node_acceleration, 2, {NODE(0), PDN_FRAME_MATERIAL}},
-    {"coordinate", joint_coordinate, 2, {JOINT(0), PDN_ROTATION}},
-    {"rate", joint_rate, 2, {JOINT(0), PDN_ROTATION}},
-    {"acceleration of a joint", joint_acceleration, 2, {JOINT(0), PDN_ROTATION}},
-    {"driving effort", joint_driving_effort, 2, {JOINT(1), PDN_ROTATION}},
-    {"reaction", joint_reaction, 2, {JOINT(0), PDN_FRAME_FIRST}},
+    {"velocity", sample_in_frame, 3, {PDN_NODE_VELOCITY, NODE(0), PDN_FRAME_SPACE}},
+    {"acceleration", sample_in_frame, 3, {PDN_NODE_ACCELERATION, NODE(0), PDN_FRAME_MATERIAL}},
+    {"coordinate", sample, 3, {PDN_JOINT_COORDINATE, JOINT(0), PDN_ROTATION}},
+    {"rate", sample, 3, {PDN_JOINT_RATE, JOINT(0), PDN_ROTATION}},
+    {"acceleration of a joint", sample, 3, {PDN_JOINT_ACCELERATION, JOINT(0), PDN_ROTATION}},
+    {"driving effort", sample, 3, {PDN_JOINT_DRIVING_EFFORT, JOINT(1), PDN_ROTATION}},
+    {"reaction", sample_in_frame, 3, {PDN_JOINT_REACTION, JOINT(0), PDN_FRAME_FIRST}},
     {"force on node", force_on_node, 3, {FORCE(0), NODE(0), PDN_FRAME_SPACE}},
-    {"node harmonics", node_harmonics, 2, {NODE(0), PDN_NODE_POSITION}},
-    {"joint harmonics", joint_harmonics, 3, {JOINT(0), PDN_JOINT_COORDINATE, PDN_ROTATION}},
-    {"beam harmonics", beam_harmonics, 2, {BEAM_ELEMENT(0), PDN_BEAM_STRAIN}},
-    {"force harmonics", force_harmonics, 3, {FORCE(0), PDN_FORCE_EFFORT, 0}},
+    {"harmonics of a node", harmonics, 2, {PDN_NODE_POSITION, NODE(0)}},
+    {"harmonics of a joint", harmonics, 2, {PDN_JOINT_REACTION, JOINT(0)}},
+    {"harmonics of a beam", harmonics, 2, {PDN_BEAM_STRAIN, BEAM_ELEMENT(0)}},
+    {"harmonics of a force", harmonics, 2, {PDN_FORCE_EFFORT, FORCE(0)}},
 };
 
 /* A body on a hinge, another that is driven, a third on one, a beam, and a shell. */

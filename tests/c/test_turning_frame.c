@@ -70,7 +70,7 @@ static void a_pendulum_finds_its_net_rotation(int by_momentum)
     for (int i = 0; i < 3; ++i)
         CHECK_STATUS(pdn_conditions_release(conditions, parameters[i]), PDN_OK);
     PDN_INIT(pdn_quantity, &speed);
-    speed.kind = PDN_QUANTITY_VELOCITY;
+    speed.kind = PDN_NODE_VELOCITY;
     speed.object = bob;
     speed.component = 1;
     CHECK_STATUS(pdn_conditions_add_phase(conditions), PDN_OK);
@@ -81,15 +81,14 @@ static void a_pendulum_finds_its_net_rotation(int by_momentum)
         CHECK_STATUS(pdn_conditions_add_angular_momentum(conditions, up, NULL, 1.5 * sin(angle)),
                      PDN_OK);
     else
-        CHECK_STATUS(
-            pdn_conditions_add_quantity(conditions, &speed, PDN_FEATURE_VALUE, 0, -1.5, 0),
-            PDN_OK);
+        CHECK_STATUS(pdn_conditions_add_quantity(conditions, &speed, PDN_FEATURE_VALUE, 0, -1.5, 0),
+                     PDN_OK);
     for (int k = 0; k < POINTS; ++k) {
         const double phase = 2 * PI * k / POINTS, p = -0.28 * sin(phase);
         const double q = 0.61 + 0.17 * cos(phase);
         const double about[9] = {cos(p), sin(p), 0, -sin(p), cos(p), 0, 0, 0, 1};
-        const double turned[9] = {cos(p) * cos(q), sin(p) * cos(q), -sin(q), -sin(p), cos(p),
-                                  0, cos(p) * sin(q), sin(p) * sin(q), cos(q)};
+        const double turned[9] = {cos(p) * cos(q), sin(p) * cos(q), -sin(q), -sin(p), cos(p), 0,
+                                  cos(p) * sin(q), sin(p) * sin(q), cos(q)};
         memcpy(rotations[k], about, sizeof about);
         memcpy(rotations[POINTS + k], turned, sizeof turned);
         for (int i = 0; i < 3; ++i)
@@ -144,8 +143,8 @@ static void bad_frames_are_refused(void)
 #undef CALL
     pdn_model *model;
     CHECK_STATUS(pdn_model_new(&model), PDN_OK);
-    REFUSED(pdn_model_turning_frame(model, out.axis, &out.rate, out.point),
-            PDN_ERR_NOT_AVAILABLE, "model: it is described in the inertial frame");
+    REFUSED(pdn_model_turning_frame(model, out.axis, &out.rate, out.point), PDN_ERR_NOT_AVAILABLE,
+            "model: it is described in the inertial frame");
     pdn_model_free(model);
 }
 

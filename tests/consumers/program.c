@@ -37,7 +37,8 @@ int main(void)
     TRY(pdn_signal_set_harmonics(&moment, 0, 0, &cosine, &sine, 1));
     TRY(pdn_model_add_load(model, body, PDN_FRAME_SPACE, PDN_MOMENT_3, &moment, NULL));
     TRY(pdn_solve_periodic(model, period, NULL, &solution));
-    TRY(pdn_solution_joint_coordinate(solution, hinge, PDN_ROTATION, &start, 1, &angle));
+    TRY(pdn_solution_sample(solution, PDN_QUANTITY(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION),
+                            &start, 1, &angle));
 
     error = angle - expected;
     printf("angle at the start %.12f, expected %.12f\n", angle, expected);

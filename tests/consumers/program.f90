@@ -23,7 +23,8 @@ program consumer
     call model%add_load(body, PDN_FRAME_SPACE, PDN_MOMENT_3, &
         pdn_harmonics(0.0_dp, 0.0_dp, [0.6_dp], [0.0_dp]))
     call model%solve_periodic(period, solution)
-    call solution%joint_coordinate(hinge, PDN_ROTATION, [0.0_dp], angle)
+    call solution%sample(pdn_quantity_of(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION), &
+        [0.0_dp], angle)
     print '(2(a, f0.12))', 'angle at the start ', angle, ', expected ', expected
     if (.not. solution%converged() .or. abs(angle(1) - expected) > 1e-6_dp) error stop 1
 end program consumer

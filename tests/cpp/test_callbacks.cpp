@@ -101,7 +101,7 @@ static void laws_and_forces()
         o.model.add_load(o.body, Frame::space, Component::moment_3, moment);
         const auto solution = pdn::solve_periodic(o.model, period);
         CHECK(solution.converged());
-        return solution.joint_coordinate(o.hinge, Coordinate::rotation, {0})[0];
+        return solution.sample({pdn::Kind::coordinate, o.hinge, Coordinate::rotation}, {0})[0];
     };
     {
         Oscillator o;
@@ -113,9 +113,8 @@ static void laws_and_forces()
     {
         Oscillator o;
         const auto law = o.model.add_coordinate_law(
-            o.hinge, Coordinate::rotation, [](double, double q, double rate) {
-                return pdn::Effort{2 * q + 0.1 * rate, 2, 0.1};
-            });
+            o.hinge, Coordinate::rotation,
+            [](double, double q, double rate) { return pdn::Effort{2 * q + 0.1 * rate, 2, 0.1}; });
         CHECK(o.model.check_tangents(law, period).error < 1e-7);
         NEAR(angle(o), expected, 1e-12);
     }
@@ -157,7 +156,9 @@ static void lifetimes()
         const auto hinge = model->hinge;
         model.reset();
         CHECK(token.use_count() == 3); // the solution has a copy of the model
-        CHECK(solution->joint_coordinate(hinge, Coordinate::rotation, {0.1}).size() == 1);
+        CHECK(
+            solution->sample({pdn::Kind::coordinate, hinge, Coordinate::rotation}, {0.1}).size() ==
+            1);
         solution.reset();
         CHECK(token.use_count() == 1);
     }

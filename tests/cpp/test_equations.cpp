@@ -70,7 +70,7 @@ int main()
     CHECK(norms[0] <= 1e-10);
     const auto solution = equations.solution(pdn::Outcome::converged);
     CHECK(solution && solution->converged());
-    NEAR(solution->joint_coordinate(o.hinge, pdn::Coordinate::rotation, {0})[0],
+    NEAR(solution->sample({pdn::Kind::coordinate, o.hinge, pdn::Coordinate::rotation}, {0})[0],
          oscillator_angle()[0], 1e-9);
 
     const Vector x = wave(sizes.size, 0.37), y = wave(sizes.size, 0.23);

@@ -169,39 +169,50 @@ static void solutions()
     Oscillator o;
     const auto s = pdn::solve_periodic(o.model, period);
     REFUSED(s.filtered(pdn::Filter::lanczos, 0), PDN_ERR_VALUE, "order: ");
-    REFUSED(s.node_position(1, {0}), PDN_ERR_ID, "node: ");
-    REFUSED(s.node_rotation(-1, {0}), PDN_ERR_ID, "node: ");
-    REFUSED(s.node_quaternion(pdn::first_node, {0, nan_value}), PDN_ERR_NOT_FINITE, "times[1]: ");
-    REFUSED(s.node_velocity(pdn::first_node, static_cast<Frame>(5), {0}), PDN_ERR_VALUE, "frame: ");
-    REFUSED(s.node_acceleration(pdn::first_node, Frame::space, {infinity}), PDN_ERR_NOT_FINITE,
+    REFUSED(s.sample<3>({pdn::Kind::position, 1}, {0}), PDN_ERR_ID, "quantity.object: ");
+    REFUSED(s.sample<9>({pdn::Kind::rotation, -1}, {0}), PDN_ERR_ID, "quantity.object: ");
+    REFUSED(s.sample<4>({pdn::Kind::quaternion, pdn::first_node}, {0, nan_value}),
+            PDN_ERR_NOT_FINITE, "times[1]: ");
+    REFUSED(s.sample<6>(
+                pdn::Quantity(pdn::Kind::velocity, pdn::first_node).in(static_cast<Frame>(5)), {0}),
+            PDN_ERR_VALUE, "quantity.frame: ");
+    REFUSED(s.sample<6>({pdn::Kind::acceleration, pdn::first_node}, {infinity}), PDN_ERR_NOT_FINITE,
             "times: ");
-    REFUSED(s.joint_coordinate(pdn::first_joint, Coordinate::displacement, {0}),
+    REFUSED(s.sample({pdn::Kind::coordinate, pdn::first_joint, Coordinate::displacement}, {0}),
             PDN_ERR_NOT_AVAILABLE, "coordinate: ");
-    REFUSED(s.joint_rate(2, Coordinate::rotation, {0}), PDN_ERR_ID, "joint: ");
-    REFUSED(s.joint_acceleration(pdn::first_joint, static_cast<Coordinate>(9), {0}), PDN_ERR_VALUE,
-            "coordinate: ");
-    REFUSED(s.joint_driving_effort(pdn::first_joint, Coordinate::rotation, {0}),
-            PDN_ERR_NOT_AVAILABLE, "coordinate: ");
-    REFUSED(s.joint_reaction(pdn::first_joint, static_cast<pdn::Axes>(4), {0}), PDN_ERR_VALUE,
-            "axes: ");
-    REFUSED(s.beam_strain(0, 0, {0}), PDN_ERR_ID, "element: ");
-    REFUSED(s.beam_force(pdn::first_beam_element, 2, {0}), PDN_ERR_VALUE, "station: ");
-    REFUSED(s.force_effort(4, {0}), PDN_ERR_ID, "force: ");
-    REFUSED(s.force_branch_effort(pdn::first_force, 0, {0}), PDN_ERR_NOT_AVAILABLE, "branch: ");
-    REFUSED(s.force_branch_elongation(pdn::first_force, 0, {0}), PDN_ERR_NOT_AVAILABLE, "branch: ");
-    REFUSED(s.force_on_node(pdn::first_force, 7, Frame::space, {0}), PDN_ERR_ID, "node: ");
-    const std::size_t huge = std::numeric_limits<std::size_t>::max() / 2;
-    REFUSED(s.node_harmonics(pdn::first_node, pdn::NodeQuantity::position, huge), PDN_ERR_SIZE,
-            "harmonics: ");
-    REFUSED(s.node_harmonics(pdn::first_node, static_cast<pdn::NodeQuantity>(50), 1), PDN_ERR_VALUE,
-            "quantity: ");
+    REFUSED(s.sample({pdn::Kind::coordinate_rate, 2, Coordinate::rotation}, {0}), PDN_ERR_ID,
+            "quantity.object: ");
     REFUSED(
-        s.joint_harmonics(pdn::first_joint, pdn::JointQuantity::rate, Coordinate::rotation, huge),
-        PDN_ERR_SIZE, "harmonics: ");
-    REFUSED(s.joint_reaction_harmonics(3, pdn::Axes::space, 1), PDN_ERR_ID, "joint: ");
-    REFUSED(s.beam_harmonics(0, 0, pdn::BeamQuantity::force, 1), PDN_ERR_ID, "element: ");
-    REFUSED(s.force_harmonics(pdn::first_force, static_cast<pdn::ForceQuantity>(-3), 0, 1),
-            PDN_ERR_VALUE, "quantity: ");
+        s.sample({pdn::Kind::coordinate_acceleration, pdn::first_joint, static_cast<Coordinate>(9)},
+                 {0}),
+        PDN_ERR_VALUE, "quantity.component: ");
+    REFUSED(s.sample({pdn::Kind::driving_effort, pdn::first_joint, Coordinate::rotation}, {0}),
+            PDN_ERR_NOT_AVAILABLE, "coordinate: ");
+    REFUSED(s.sample<6>(
+                pdn::Quantity(pdn::Kind::reaction, pdn::first_joint).in(static_cast<pdn::Axes>(4)),
+                {0}),
+            PDN_ERR_VALUE, "quantity.frame: ");
+    REFUSED(s.sample<6>({pdn::Kind::strain, 0}, {0}), PDN_ERR_ID, "quantity.object: ");
+    REFUSED(s.sample<6>(pdn::Quantity(pdn::Kind::beam_force, pdn::first_beam_element).at(2), {0}),
+            PDN_ERR_VALUE, "station: ");
+    REFUSED(s.sample({pdn::Kind::effort, 4}, {0}), PDN_ERR_ID, "quantity.object: ");
+    REFUSED(s.sample(pdn::Quantity(pdn::Kind::branch_effort, pdn::first_force).of_branch(0), {0}),
+            PDN_ERR_NOT_AVAILABLE, "branch: ");
+    REFUSED(
+        s.sample(pdn::Quantity(pdn::Kind::branch_elongation, pdn::first_force).of_branch(0), {0}),
+        PDN_ERR_NOT_AVAILABLE, "branch: ");
+    REFUSED(s.sample<6>(pdn::Quantity(pdn::Kind::force_on_node, pdn::first_force).on(7), {0}),
+            PDN_ERR_ID, "quantity.node: ");
+    const std::size_t huge = std::numeric_limits<std::size_t>::max() / 2;
+    REFUSED(s.harmonics({pdn::Kind::position, pdn::first_node}, huge), PDN_ERR_SIZE, "harmonics: ");
+    REFUSED(s.harmonics({static_cast<pdn::Kind>(50), pdn::first_node}, 1), PDN_ERR_VALUE,
+            "quantity.kind: ");
+    REFUSED(s.harmonics({pdn::Kind::coordinate_rate, pdn::first_joint, Coordinate::rotation}, huge),
+            PDN_ERR_SIZE, "harmonics: ");
+    REFUSED(s.harmonics({pdn::Kind::reaction, 3}, 1), PDN_ERR_ID, "quantity.object: ");
+    REFUSED(s.harmonics({pdn::Kind::beam_force, 0}, 1), PDN_ERR_ID, "quantity.object: ");
+    REFUSED(s.sample<4>({pdn::Kind::position, pdn::first_node}, {0}), PDN_ERR_SIZE,
+            "quantity: expected one of 4 components, got 3");
 }
 
 static void motions()
@@ -230,7 +241,8 @@ static void moved_from()
     REFUSED(solution.outcome(), PDN_ERR_NULL, "solution: ");
     REFUSED(solution.report(), PDN_ERR_NULL, "solution: ");
     REFUSED(solution.grid_times(), PDN_ERR_NULL, "solution: ");
-    REFUSED(solution.node_position(0, {0}), PDN_ERR_NULL, "solution: ");
+    REFUSED(solution.sample<3>({pdn::Kind::position, pdn::first_node}, {0}), PDN_ERR_NULL,
+            "solution: ");
     pdn::PeriodicOptions options;
     options.initial = &solution;
     REFUSED(pdn::solve_periodic(model, period, options), PDN_ERR_NULL, "options.initial: ");

@@ -18,7 +18,9 @@ struct Mine {
 
 struct Theirs : std::runtime_error {
     int call;
-    explicit Theirs(int number) : std::runtime_error("thrown as planned"), call(number) {}
+    explicit Theirs(int number) : std::runtime_error("thrown as planned"), call(number)
+    {
+    }
 };
 
 // What is counted, and at which call it throws: in functions of the model, or in progress.
@@ -52,12 +54,11 @@ static pdn::Model model_of_callbacks(std::int32_t &hinge)
         maybe(false);
         return 0.6 * std::cos(omega * time);
     });
-    o.model.add_coordinate_law(o.hinge, Coordinate::rotation,
-                               [](double, double angle, double rate) {
-                                   maybe(false);
-                                   return pdn::Effort{angle * angle * angle + 0.1 * rate,
-                                                      3 * angle * angle, 0.1};
-                               });
+    o.model.add_coordinate_law(
+        o.hinge, Coordinate::rotation, [](double, double angle, double rate) {
+            maybe(false);
+            return pdn::Effort{angle * angle * angle + 0.1 * rate, 3 * angle * angle, 0.1};
+        });
     o.model.add_user_force({o.body}, Frame::space, pdn::Tangents::differenced,
                            [](const pdn::ForceState &state, pdn::ForceValues &values) {
                                maybe(false);
@@ -128,7 +129,7 @@ static std::vector<double> look(const pdn::Model &model, std::int32_t hinge, con
     plan = {};
     const auto solution = solve(model);
     CHECK(solution.converged());
-    return solution.joint_coordinate(hinge, Coordinate::rotation, {0, 0.11, 0.4});
+    return solution.sample({pdn::Kind::coordinate, hinge, Coordinate::rotation}, {0, 0.11, 0.4});
 }
 
 // The call at which something was thrown that came out, or nothing if nothing did.

@@ -21,15 +21,15 @@ int main()
     const auto solution = pdn::solve_periodic(o.model, period);
 
     pdn::Table table({0, 0.5, 1});
-    table.add_joint(solution, o.hinge, pdn::JointQuantity::coordinate, pdn::Coordinate::rotation,
-                    "angle");
+    table.add(solution, {pdn::Kind::coordinate, o.hinge, pdn::Coordinate::rotation}, "angle");
     table.add_values("mine", {1, 2, 3});
     table.write_csv("own.csv");
     std::istringstream rows(content("own.csv"));
     std::string head;
     std::getline(rows, head);
     CHECK(head == "t,angle,mine");
-    const auto angle = solution.joint_coordinate(o.hinge, pdn::Coordinate::rotation, {0, 0.5, 1});
+    const auto angle =
+        solution.sample({pdn::Kind::coordinate, o.hinge, pdn::Coordinate::rotation}, {0, 0.5, 1});
     for (std::size_t k = 0; k < 3; ++k) {
         double t, value, mine;
         char comma;
@@ -50,9 +50,9 @@ int main()
     REFUSED(solution.sample(spin, {0}), PDN_ERR_VALUE, "quantity: component: ");
     table.add(solution, turn, "turn");
 
-    table.add_node(solution, o.body, pdn::NodeQuantity::position);
-    table.add_joint_reaction(solution, o.hinge, pdn::Axes::space);
-    table.add_force(solution, o.spring, pdn::ForceQuantity::on_node, o.body, "pull");
+    table.add(solution, {pdn::Kind::position, o.body});
+    table.add(solution, {pdn::Kind::reaction, o.hinge});
+    table.add(solution, pdn::Quantity(pdn::Kind::force_on_node, o.spring).on(o.body), "pull");
     table.write_csv("more.csv");
     const std::string more = content("more.csv");
     CHECK(more.find("node0.position.x") != std::string::npos);
@@ -62,14 +62,15 @@ int main()
     const auto beam = cantilever.add_straight_beam(origin, axis_1, axis_2, steel(), 2, 1);
     cantilever.add_rigid_joint(pdn::ground, beam.first, origin);
     const auto bent = pdn::solve_static(cantilever);
-    table.add_beam(bent, beam.first_element, 0, pdn::BeamQuantity::force, "root");
+    table.add(bent, {pdn::Kind::beam_force, beam.first_element}, "root");
     bent.write_vtk({0}, 3, "bent.pvd");
     CHECK(content("bent.pvd").find("VTKFile") != std::string::npos);
 
     // What is loaded is what was saved, and can be solved again.
     bent.save("bent.pdn");
     const pdn::Solution loaded = pdn::Solution::load("bent.pdn");
-    CHECK(loaded.node_position(beam.last, {0}) == bent.node_position(beam.last, {0}));
+    CHECK(loaded.sample<3>({pdn::Kind::position, beam.last}, {0}) ==
+          bent.sample<3>({pdn::Kind::position, beam.last}, {0}));
     CHECK(loaded.report() == bent.report());
     pdn::Model again = loaded.model();
     CHECK(again.element_count() == 2);
@@ -82,16 +83,15 @@ int main()
     const double none = std::numeric_limits<double>::quiet_NaN();
     REFUSED(pdn::Table({}), PDN_ERR_SIZE, "count: ");
     REFUSED(pdn::Table({none}), PDN_ERR_NOT_FINITE, "times");
-    REFUSED(table.add_node(solution, 4, pdn::NodeQuantity::position, "x"), PDN_ERR_ID, "node: ");
-    REFUSED(table.add_node(solution, o.body, pdn::NodeQuantity::position), PDN_ERR_VALUE,
-            "label: ");
+    REFUSED(table.add(solution, {pdn::Kind::position, 4}, "x"), PDN_ERR_ID, "quantity.object: ");
+    REFUSED(table.add(solution, {pdn::Kind::position, o.body}), PDN_ERR_VALUE, "label: ");
     REFUSED(
-        table.add_joint(solution, o.hinge, pdn::JointQuantity::rate, pdn::Coordinate::displacement),
+        table.add(solution, {pdn::Kind::coordinate_rate, o.hinge, pdn::Coordinate::displacement}),
         PDN_ERR_NOT_AVAILABLE, "coordinate: ");
-    REFUSED(table.add_joint_reaction(solution, 5, pdn::Axes::space), PDN_ERR_ID, "joint: ");
-    REFUSED(table.add_beam(bent, beam.first_element, 3, pdn::BeamQuantity::force), PDN_ERR_VALUE,
-            "station: ");
-    REFUSED(table.add_force(solution, 8, pdn::ForceQuantity::effort), PDN_ERR_ID, "force: ");
+    REFUSED(table.add(solution, {pdn::Kind::reaction, 5}), PDN_ERR_ID, "quantity.object: ");
+    REFUSED(table.add(bent, pdn::Quantity(pdn::Kind::beam_force, beam.first_element).at(3)),
+            PDN_ERR_VALUE, "station: ");
+    REFUSED(table.add(solution, {pdn::Kind::effort, 8}), PDN_ERR_ID, "quantity.object: ");
     REFUSED(table.add_values("short", {1}), PDN_ERR_SIZE, "count: ");
     REFUSED(table.write_csv("no/such/place.csv"), PDN_ERR_IO, "path: ");
     REFUSED(bent.write_vtk({0}, 1, "bent.pvd"), PDN_ERR_SIZE, "points_per_element: ");

@@ -26,7 +26,7 @@ int main()
     CHECK(free.grid_times().size() == 2001);
     // Second order: with rate 2.4 and step 1e-3 the error is a few 1e-7.
     const double rate = std::sqrt(6 - 0.04), t = 1.7;
-    NEAR(free.joint_coordinate(o.hinge, pdn::Coordinate::rotation, {t})[0],
+    NEAR(free.sample({pdn::Kind::coordinate, o.hinge, pdn::Coordinate::rotation}, {t})[0],
          0.3 / rate * std::exp(-0.2 * t) * std::sin(rate * t), 1e-6);
 
     // Until periodic, from a periodic solution; which a march then is the start of.
@@ -50,8 +50,11 @@ int main()
     const auto by_shooting = pdn::solve_shooting(o.model, period, shot);
     CHECK(by_shooting.converged());
     NEAR(std::abs(by_shooting.floquet()[0]), std::exp(-0.2 * period), 1e-3);
-    NEAR(by_shooting.joint_coordinate(o.hinge, pdn::Coordinate::rotation, {0.3 * period})[0],
-         periodic.joint_coordinate(o.hinge, pdn::Coordinate::rotation, {0.3 * period})[0], 1e-4);
+    NEAR(by_shooting.sample({pdn::Kind::coordinate, o.hinge, pdn::Coordinate::rotation},
+                            {0.3 * period})[0],
+         periodic.sample({pdn::Kind::coordinate, o.hinge, pdn::Coordinate::rotation},
+                         {0.3 * period})[0],
+         1e-4);
     shot.initial = &periodic;
     shot.progress = [](const pdn_progress &) { return false; };
     CHECK(pdn::solve_shooting(o.model, period, shot).outcome() == pdn::Outcome::cancelled);

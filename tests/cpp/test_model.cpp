@@ -57,17 +57,23 @@ static void solution()
     NEAR(times[1], period / 31, 1e-15);
 
     const auto [real, imaginary] = oscillator_angle();
-    const auto angle = solution.joint_coordinate(o.hinge, Coordinate::rotation, times);
-    const auto rate = solution.joint_rate(o.hinge, Coordinate::rotation, times);
-    const auto acceleration = solution.joint_acceleration(o.hinge, Coordinate::rotation, times);
-    const auto rotation = solution.node_rotation(o.body, times);
-    const auto quaternion = solution.node_quaternion(o.body, times);
-    const auto position = solution.node_position(o.body, times);
-    const auto velocity = solution.node_velocity(o.body, pdn::Frame::space, times);
-    const auto turning = solution.node_acceleration(o.body, pdn::Frame::material, times);
-    const auto reaction = solution.joint_reaction(o.hinge, pdn::Axes::first, times);
-    const auto effort = solution.force_effort(o.spring, times);
-    const auto on_body = solution.force_on_node(o.spring, o.body, pdn::Frame::space, times);
+    const auto angle =
+        solution.sample({pdn::Kind::coordinate, o.hinge, Coordinate::rotation}, times);
+    const auto rate =
+        solution.sample({pdn::Kind::coordinate_rate, o.hinge, Coordinate::rotation}, times);
+    const auto acceleration =
+        solution.sample({pdn::Kind::coordinate_acceleration, o.hinge, Coordinate::rotation}, times);
+    const auto rotation = solution.sample<9>({pdn::Kind::rotation, o.body}, times);
+    const auto quaternion = solution.sample<4>({pdn::Kind::quaternion, o.body}, times);
+    const auto position = solution.sample<3>({pdn::Kind::position, o.body}, times);
+    const auto velocity = solution.sample<6>({pdn::Kind::velocity, o.body}, times);
+    const auto turning = solution.sample<6>(
+        pdn::Quantity(pdn::Kind::acceleration, o.body).in(pdn::Frame::material), times);
+    const auto reaction =
+        solution.sample<6>(pdn::Quantity(pdn::Kind::reaction, o.hinge).in(pdn::Axes::first), times);
+    const auto effort = solution.sample({pdn::Kind::effort, o.spring}, times);
+    const auto on_body =
+        solution.sample<6>(pdn::Quantity(pdn::Kind::force_on_node, o.spring).on(o.body), times);
     for (std::size_t k = 0; k < times.size(); ++k) {
         const double phase = omega * times[k];
         const double expected = real * std::cos(phase) + imaginary * std::sin(phase);
@@ -86,23 +92,23 @@ static void solution()
     }
 
     const auto harmonics =
-        solution.joint_harmonics(o.hinge, pdn::JointQuantity::coordinate, Coordinate::rotation, 2);
+        solution.harmonics({pdn::Kind::coordinate, o.hinge, Coordinate::rotation}, 2);
     CHECK(harmonics.components == 1 && harmonics.cosines.size() == 2);
     NEAR(harmonics.mean[0], 0, 1e-12);
     NEAR(harmonics.rate[0], 0, 1e-12);
     NEAR(harmonics.cosines[0], real, 1e-12);
     NEAR(harmonics.sines[0], imaginary, 1e-12);
-    const auto of_force = solution.force_harmonics(o.spring, pdn::ForceQuantity::effort, 0, 1);
+    const auto of_force = solution.harmonics({pdn::Kind::effort, o.spring}, 1);
     NEAR(of_force.cosines[0], 3 * real + 0.2 * omega * imaginary, 1e-11);
-    CHECK(solution.force_harmonics(o.spring, pdn::ForceQuantity::on_node, o.body, 2).sines.size() ==
-          12);
-    CHECK(solution.joint_reaction_harmonics(o.hinge, pdn::Axes::space, 2).sines.size() == 12);
-    const auto of_node = solution.node_harmonics(o.body, pdn::NodeQuantity::velocity, 3);
+    CHECK(solution.harmonics(pdn::Quantity(pdn::Kind::force_on_node, o.spring).on(o.body), 2)
+              .sines.size() == 12);
+    CHECK(solution.harmonics({pdn::Kind::reaction, o.hinge}, 2).sines.size() == 12);
+    const auto of_node = solution.harmonics({pdn::Kind::velocity, o.body}, 3);
     CHECK(of_node.components == 6 && of_node.cosines.size() == 18);
     NEAR(of_node.cosines[5], omega * imaginary, 1e-12);
-    CHECK(solution.node_harmonics(o.body, pdn::NodeQuantity::rotation, 1).cosines.size() == 9);
-    CHECK(solution.node_harmonics(o.body, pdn::NodeQuantity::quaternion, 1).cosines.size() == 4);
-    CHECK(solution.node_harmonics(o.body, pdn::NodeQuantity::position, 1).cosines.size() == 3);
+    CHECK(solution.harmonics({pdn::Kind::rotation, o.body}, 1).cosines.size() == 9);
+    CHECK(solution.harmonics({pdn::Kind::quaternion, o.body}, 1).cosines.size() == 4);
+    CHECK(solution.harmonics({pdn::Kind::position, o.body}, 1).cosines.size() == 3);
 
     // From the solution on another grid, and from its motions: one iteration each.
     options.grid_points = 33;
@@ -117,7 +123,7 @@ static void solution()
     // An outcome is no exception.
     const auto smooth = solution.filtered(pdn::Filter::exponential, 2);
     const auto angle_at = [&](const pdn::Solution &s) {
-        return s.joint_coordinate(o.hinge, Coordinate::rotation, {0})[0];
+        return s.sample({pdn::Kind::coordinate, o.hinge, Coordinate::rotation}, {0})[0];
     };
     NEAR(angle_at(smooth), angle_at(solution) * std::exp(-36.0 / (16 * 16)), 1e-12);
 
@@ -184,11 +190,14 @@ static void beams()
     const auto solution = pdn::solve_static(model);
     CHECK(solution.converged());
     // 530 / (2 EA) + 530 / EA, each over 1
-    NEAR(solution.node_position(beam.last, {0})[0][0] - 2, 1.5e-5, 1e-12);
-    NEAR(solution.beam_strain(beam.first_element, 0, {0})[0][0], 5e-6, 1e-12);
-    NEAR(solution.beam_force(beam.first_element + 3, 0.3, {0.1, 0.2})[1][0], 530, 1e-5);
-    NEAR(solution.beam_harmonics(beam.first_element, 1, pdn::BeamQuantity::force, 0).mean[0], 530,
-         1e-5);
+    NEAR(solution.sample<3>({pdn::Kind::position, beam.last}, {0})[0][0] - 2, 1.5e-5, 1e-12);
+    NEAR(solution.sample<6>({pdn::Kind::strain, beam.first_element}, {0})[0][0], 5e-6, 1e-12);
+    NEAR(solution.sample<6>(pdn::Quantity(pdn::Kind::beam_force, beam.first_element + 3).at(0.3),
+                            {0.1, 0.2})[1][0],
+         530, 1e-5);
+    NEAR(solution.harmonics(pdn::Quantity(pdn::Kind::beam_force, beam.first_element).at(1), 0)
+             .mean[0],
+         530, 1e-5);
     CHECK(model.element_count() == 4 && model.node_count() == 10 && model.joint_count() == 2);
 
     pdn::StaticOptions options;
@@ -375,10 +384,13 @@ static void viscoelastic()
     const double wt = omega * 0.4, storage = 2 * wt * wt / (1 + wt * wt),
                  loss = 2 * wt / (1 + wt * wt);
     const auto [real, imaginary] = oscillator_angle(3 + storage, 0.2 + loss / omega);
-    NEAR(solution.joint_coordinate(o.hinge, Coordinate::rotation, {0})[0], real, 1e-12);
+    NEAR(solution.sample({pdn::Kind::coordinate, o.hinge, Coordinate::rotation}, {0})[0], real,
+         1e-12);
     const double effort = storage * real + loss * imaginary;
-    NEAR(solution.force_branch_effort(branch, 0, {0})[0], effort, 1e-12);
-    NEAR(solution.force_branch_elongation(branch, 0, {0})[0], real - effort / 2, 1e-12);
+    NEAR(solution.sample(pdn::Quantity(pdn::Kind::branch_effort, branch).of_branch(0), {0})[0],
+         effort, 1e-12);
+    NEAR(solution.sample(pdn::Quantity(pdn::Kind::branch_elongation, branch).of_branch(0), {0})[0],
+         real - effort / 2, 1e-12);
 }
 
 // The driving effort of a prescribed coordinate; handles move, and outlive what they were made of.
@@ -395,7 +407,7 @@ static void handles()
     moved = pdn::Model();
     pdn::Solution other = std::move(solution);
     CHECK(solution.get() == nullptr && other.converged());
-    NEAR(other.joint_driving_effort(o.hinge, Coordinate::rotation, {0})[0],
+    NEAR(other.sample({pdn::Kind::driving_effort, o.hinge, Coordinate::rotation}, {0})[0],
          0.1 * (3 - 0.5 * omega * omega), 1e-11);
 }
 

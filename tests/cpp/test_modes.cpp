@@ -24,12 +24,13 @@ int main()
     NEAR(std::hypot(shape.real[0][5], shape.imaginary[0][5]), 1, 1e-10);
     NEAR(shape.real[0][0], 0, 1e-10);
     const auto motion = modes.motion(0, 0.01);
-    const auto angle = motion.joint_harmonics(o.hinge, pdn::JointQuantity::coordinate,
-                                              pdn::Coordinate::rotation, 1);
+    const auto angle =
+        motion.harmonics({pdn::Kind::coordinate, o.hinge, pdn::Coordinate::rotation}, 1);
     NEAR(std::hypot(angle.cosines[0], angle.sines[0]), 0.01, 1e-10);
     const auto equilibrium = modes.equilibrium();
     CHECK(equilibrium.converged());
-    NEAR(equilibrium.joint_coordinate(o.hinge, pdn::Coordinate::rotation, {0})[0], 0, 1e-12);
+    NEAR(equilibrium.sample({pdn::Kind::coordinate, o.hinge, pdn::Coordinate::rotation}, {0})[0], 0,
+         1e-12);
 
     // From that equilibrium; with a signal that modes and what they give keep.
     pdn::StaticOptions at_rest;

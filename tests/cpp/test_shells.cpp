@@ -15,9 +15,8 @@ double stretch_of(pdn::Model &model, std::int32_t first_clamped, std::int32_t lo
     CHECK(model.add_rigid_joints(pdn::ground, clamped).size() == clamped.size());
     const double before = model.node_frame(tip).position[0];
     CHECK(model.node_frame(first_clamped).position[0] == 0);
-    const auto load =
-        model.add_shell_load(loaded_element, 1, pdn::ShellPlace::edge_end_xi, pdn::Frame::space,
-                             pdn::Component::force_1, 600.0);
+    const auto load = model.add_shell_load(loaded_element, 1, pdn::ShellPlace::edge_end_xi,
+                                           pdn::Frame::space, pdn::Component::force_1, 600.0);
     CHECK(load == pdn::first_shell_load && model.shell_load_count() == 1);
     CHECK(model.shell_load(load).first_element == loaded_element);
     CHECK(model.shell_load(load).place == pdn::ShellPlace::edge_end_xi);
@@ -30,7 +29,7 @@ double stretch_of(pdn::Model &model, std::int32_t first_clamped, std::int32_t lo
     NEAR(solution.sample(force, {0})[0], 600, 1e-7);
     const pdn::Quantity strain(pdn::Kind::shell_strain, loaded_element, {0.5, 0});
     NEAR(solution.sample(strain, {0})[0], 600 / (young * thickness), 1e-12);
-    return solution.node_position(tip, {0})[0][0] - before;
+    return solution.sample<3>({pdn::Kind::position, tip}, {0})[0][0] - before;
 }
 
 std::vector<std::int32_t> start_of(const pdn::Model &model, const pdn_shell &shell)
@@ -51,9 +50,8 @@ int main()
     const auto rectangle = pdn::Surface::parallelogram({0, 0, 0}, {length, 0, 0}, {0, width, 0});
 
     // Over a surface, by a function, and over its points.
-    const auto function = pdn::Surface::function([](double u, double v) {
-        return pdn::Vector3{length * u, width * v, 0};
-    });
+    const auto function = pdn::Surface::function(
+        [](double u, double v) { return pdn::Vector3{length * u, width * v, 0}; });
     std::vector<pdn::Vector3> points;
     for (const pdn::Surface &surface : {rectangle, function}) {
         pdn::Model model;
@@ -122,7 +120,8 @@ int main()
             }
             const auto solution = pdn::solve_static(model);
             CHECK(solution.converged());
-            return solution.node_position(model.shell_node(shell, 4, 0), {0})[0][2];
+            return solution.sample<3>({pdn::Kind::position, model.shell_node(shell, 4, 0)},
+                                      {0})[0][2];
         };
         CHECK(bent(false) > 1e-3);
         NEAR(bent(true), bent(false), 1e-13);

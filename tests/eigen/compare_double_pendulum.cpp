@@ -13,6 +13,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using library::must;
+using library::values_of;
 
 namespace {
 
@@ -124,17 +125,18 @@ Curves found(const Pendulum &p, const pdn_solution *solution, int n) {
     VectorXd angle(n), rate(n);
     Curves out = Curves::Zero(8, n);
     for (int i = 0; i < 2; ++i) {
-        must(pdn_solution_joint_coordinate(solution, p.hinge[i], PDN_ROTATION, times.data(), n,
-                                           angle.data()));
-        must(pdn_solution_joint_rate(solution, p.hinge[i], PDN_ROTATION, times.data(), n,
-                                     rate.data()));
+        values_of(solution, pdn_quantity_of(PDN_JOINT_COORDINATE, p.hinge[i], PDN_ROTATION), times,
+                  angle.data());
+        values_of(solution, pdn_quantity_of(PDN_JOINT_RATE, p.hinge[i], PDN_ROTATION), times,
+                  rate.data());
         for (int k = i; k < 2; ++k)
             out.row(k) += angle.transpose(), out.row(2 + k) += rate.transpose();
     }
     MatrixXd position(3, n), velocity(6, n);
-    must(pdn_solution_node_position(solution, p.body[1], times.data(), n, position.data()));
-    must(pdn_solution_node_velocity(solution, p.body[1], PDN_FRAME_SPACE, times.data(), n,
-                                    velocity.data()));
+    values_of(solution, pdn_quantity_of(PDN_NODE_POSITION, p.body[1], PDN_ALL_COMPONENTS), times,
+              position.data());
+    values_of(solution, pdn_quantity_of(PDN_NODE_VELOCITY, p.body[1], PDN_ALL_COMPONENTS), times,
+              velocity.data());
     position.colwise() -= Vector3d(0.4, -0.2, 1.1);
     out.row(4) = p.across.transpose() * position;
     out.row(5) = p.down.transpose() * position;

@@ -16,6 +16,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 using library::must;
+using library::values_of;
 
 namespace {
 
@@ -145,13 +146,14 @@ Curves curves(const Mechanism &m, const pdn_solution *solution, int n) {
     const std::vector<double> times = grid_times(n);
     MatrixXd position(3, n), velocity(6, n);
     VectorXd torque(n), angle(n);
-    must(pdn_solution_node_position(solution, m.b, times.data(), n, position.data()));
-    must(pdn_solution_node_velocity(solution, m.b, PDN_FRAME_SPACE, times.data(), n,
-                                    velocity.data()));
-    must(pdn_solution_joint_driving_effort(solution, m.motor, PDN_ROTATION, times.data(), n,
-                                           torque.data()));
-    must(pdn_solution_joint_coordinate(solution, m.hinge, PDN_ROTATION, times.data(), n,
-                                       angle.data()));
+    values_of(solution, pdn_quantity_of(PDN_NODE_POSITION, m.b, PDN_ALL_COMPONENTS), times,
+              position.data());
+    values_of(solution, pdn_quantity_of(PDN_NODE_VELOCITY, m.b, PDN_ALL_COMPONENTS), times,
+              velocity.data());
+    values_of(solution, pdn_quantity_of(PDN_JOINT_DRIVING_EFFORT, m.motor, PDN_ROTATION), times,
+              torque.data());
+    values_of(solution, pdn_quantity_of(PDN_JOINT_COORDINATE, m.hinge, PDN_ROTATION), times,
+              angle.data());
     Curves out(4, n);
     out << position.row(2), velocity.row(2), torque.transpose(), angle.transpose();
     return out;
@@ -180,12 +182,13 @@ BarDifferences compare_bars(const Mechanism &m, const pdn_solution *solution, co
     for (int i = 0; i < 3; ++i) {
         library::Columns found(n);
         MatrixXd velocity(6, n);
-        must(pdn_solution_node_position(solution, m.first[i], times.data(), n,
-                                        found.positions.data()));
-        must(pdn_solution_node_rotation(solution, m.first[i], times.data(), n,
-                                        found.rotations.data()));
-        must(pdn_solution_node_velocity(solution, m.first[i], PDN_FRAME_MATERIAL, times.data(), n,
-                                        velocity.data()));
+        values_of(solution, pdn_quantity_of(PDN_NODE_POSITION, m.first[i], PDN_ALL_COMPONENTS),
+                  times, found.positions.data());
+        values_of(solution, pdn_quantity_of(PDN_NODE_ROTATION, m.first[i], PDN_ALL_COMPONENTS),
+                  times, found.rotations.data());
+        pdn_quantity own = pdn_quantity_of(PDN_NODE_VELOCITY, m.first[i], PDN_ALL_COMPONENTS);
+        own.frame = PDN_FRAME_MATERIAL;
+        values_of(solution, own, times, velocity.data());
         for (int k = 0; k < n; ++k) {
             const MotionState x = data.bar_motion(i, times[k]);
             const Motion y = found.motion(k);

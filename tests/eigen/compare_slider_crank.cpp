@@ -13,6 +13,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using library::must;
+using library::values_of;
 
 namespace {
 
@@ -166,19 +167,20 @@ Curves found(const SliderCrank &m, const pdn_solution *solution, const std::vect
     const size_t n = times.size();
     Eigen::RowVectorXd row(n);
     Curves out(6, n);
-    must(pdn_solution_joint_coordinate(solution, m.shaft, PDN_ROTATION, times.data(), n,
-                                       row.data()));
+    values_of(solution, pdn_quantity_of(PDN_JOINT_COORDINATE, m.shaft, PDN_ROTATION), times,
+              row.data());
     out.row(0) = row;
-    must(pdn_solution_joint_rate(solution, m.shaft, PDN_ROTATION, times.data(), n, row.data()));
+    values_of(solution, pdn_quantity_of(PDN_JOINT_RATE, m.shaft, PDN_ROTATION), times, row.data());
     out.row(1) = row;
-    must(pdn_solution_joint_coordinate(solution, m.slide, PDN_DISPLACEMENT, times.data(), n,
-                                       row.data()));
+    values_of(solution, pdn_quantity_of(PDN_JOINT_COORDINATE, m.slide, PDN_DISPLACEMENT), times,
+              row.data());
     out.row(2) = row;
-    must(pdn_solution_joint_rate(solution, m.slide, PDN_DISPLACEMENT, times.data(), n, row.data()));
+    values_of(solution, pdn_quantity_of(PDN_JOINT_RATE, m.slide, PDN_DISPLACEMENT), times,
+              row.data());
     out.row(3) = row;
     MatrixXd velocity(6, n);
-    must(pdn_solution_node_velocity(solution, m.rod, PDN_FRAME_SPACE, times.data(), n,
-                                    velocity.data()));
+    values_of(solution, pdn_quantity_of(PDN_NODE_VELOCITY, m.rod, PDN_ALL_COMPONENTS), times,
+              velocity.data());
     out.bottomRows(2) = m.axes.leftCols(2).transpose() * velocity.topRows(3);
     return out;
 }
@@ -232,8 +234,8 @@ void check_driven(Checks &check) {
         exact_torque(k) = equation.inertia * acceleration + equation.rest;
     }
     compare(check, "driven", found(m, solution.get(), times), exact);
-    must(pdn_solution_joint_driving_effort(solution.get(), m.shaft, PDN_ROTATION, times.data(), n,
-                                           torque.data()));
+    values_of(solution.get(), pdn_quantity_of(PDN_JOINT_DRIVING_EFFORT, m.shaft, PDN_ROTATION),
+              times, torque.data());
     check.at_most(
         "driven, torque",
         (torque - exact_torque).cwiseAbs().maxCoeff() / exact_torque.cwiseAbs().maxCoeff(), 1e-9);

@@ -22,6 +22,11 @@ inline void must(pdn_status status) {
     throw std::runtime_error(std::string(pdn_status_name(status)) + ": " + message);
 }
 
+inline void values_of(const pdn_solution *solution, const pdn_quantity &quantity,
+                      const std::vector<double> &times, double *out) {
+    must(pdn_solution_sample(solution, &quantity, times.data(), times.size(), out));
+}
+
 // Motions as the arrays of the C interface: one column to a motion.
 struct Columns {
     Eigen::Matrix3Xd positions;

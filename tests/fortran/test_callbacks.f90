@@ -147,7 +147,8 @@ contains
             end if
             call model%solve_periodic(period, solution)
             call check(solution%converged(), 'converged')
-            call solution%joint_coordinate(hinge, PDN_ROTATION, [0.0_dp], angle)
+            call solution%sample(pdn_quantity_of(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION), &
+                [0.0_dp], angle)
             call near(angle(1), factors(1), merge(1e-9_dp, 1e-12_dp, kind == 1), 'angle')
         end do
         call check(data%calls > 0, 'calls')

@@ -56,7 +56,8 @@ contains
         end do
         call check(motion <= 1e-10_dp, 'converged')
         call equations%solution(solution, PDN_CONVERGED, root=0)
-        call solution%joint_coordinate(hinge, PDN_ROTATION, [0.0_dp], angle)
+        call solution%sample(pdn_quantity_of(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION), &
+            [0.0_dp], angle)
         real_part = 3 - 0.5_dp*omega**2
         expected = 0.6_dp*real_part/(real_part**2 + (0.2_dp*omega)**2)
         call near(angle(1), expected, 1e-9_dp, 'angle')

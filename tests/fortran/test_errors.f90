@@ -273,57 +273,71 @@ contains
         zero = 0
         one = 8
         three = 8
-        call s%node_position(1, zero, three, stat, errmsg)
-        call refused(stat, errmsg, PDN_ERR_ID, 'node: ')
-        call s%node_position(body, zero, four, stat, errmsg)
+        call s%sample(pdn_quantity_of(PDN_NODE_POSITION, 1), zero, three, stat, errmsg)
+        call refused(stat, errmsg, PDN_ERR_ID, 'quantity.object: ')
+        call s%sample(pdn_quantity_of(PDN_NODE_POSITION, body), zero, four, stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_SIZE, 'out: expected the shape 3 x 1, got 4 x 1')
-        call s%node_rotation(-1, zero, nine, stat, errmsg)
-        call refused(stat, errmsg, PDN_ERR_ID, 'node: ')
-        call s%node_quaternion(body, nan + zero, four, stat, errmsg)
+        call s%sample(pdn_quantity_of(PDN_NODE_ROTATION, -1), zero, nine, stat, errmsg)
+        call refused(stat, errmsg, PDN_ERR_ID, 'quantity.object: ')
+        call s%sample(pdn_quantity_of(PDN_NODE_QUATERNION, body), nan + zero, four, stat, &
+            errmsg)
         call refused(stat, errmsg, PDN_ERR_NOT_FINITE, 'times: ')
-        call s%node_velocity(body, 5, zero, six, stat, errmsg)
-        call refused(stat, errmsg, PDN_ERR_VALUE, 'frame: ')
-        call s%node_acceleration(body, PDN_FRAME_SPACE, zero, nine, stat, errmsg)
+        call s%sample(pdn_quantity_of(PDN_NODE_VELOCITY, body, frame=5), zero, six, stat, &
+            errmsg)
+        call refused(stat, errmsg, PDN_ERR_VALUE, 'quantity.frame: ')
+        call s%sample(pdn_quantity_of(PDN_NODE_ACCELERATION, body), zero, nine, stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_SIZE, 'out: ')
-        call s%joint_coordinate(hinge, PDN_DISPLACEMENT, zero, one, stat, errmsg)
+        call s%sample(pdn_quantity_of(PDN_JOINT_COORDINATE, hinge, PDN_DISPLACEMENT), zero, &
+            one, stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_NOT_AVAILABLE, 'coordinate: ')
-        call s%joint_rate(2, PDN_ROTATION, zero, one, stat, errmsg)
-        call refused(stat, errmsg, PDN_ERR_ID, 'joint: ')
-        call s%joint_acceleration(hinge, 9, zero, one, stat, errmsg)
-        call refused(stat, errmsg, PDN_ERR_VALUE, 'coordinate: ')
-        call s%joint_driving_effort(hinge, PDN_ROTATION, zero, one, stat, errmsg)
-        call refused(stat, errmsg, PDN_ERR_NOT_AVAILABLE, 'coordinate: ')
-        call s%joint_driving_effort(hinge, PDN_ROTATION, zero, mean, stat, errmsg)
-        call refused(stat, errmsg, PDN_ERR_SIZE, 'out: expected the shape 1, got 3')
-        call s%joint_reaction(hinge, 4, zero, six, stat, errmsg)
-        call refused(stat, errmsg, PDN_ERR_VALUE, 'axes: ')
-        call s%beam_strain(0, 0.0_dp, zero, six, stat, errmsg)
-        call refused(stat, errmsg, PDN_ERR_ID, 'element: ')
-        call s%beam_force(PDN_FIRST_BEAM_ELEMENT, 2.0_dp, zero, six, stat, errmsg)
-        call refused(stat, errmsg, PDN_ERR_VALUE, 'station: ')
-        call s%force_effort(4, zero, one, stat, errmsg)
-        call refused(stat, errmsg, PDN_ERR_ID, 'force: ')
-        call s%force_branch_effort(spring, 0, zero, one, stat, errmsg)
-        call refused(stat, errmsg, PDN_ERR_NOT_AVAILABLE, 'branch: ')
-        call s%force_branch_elongation(spring, 0, zero, one, stat, errmsg)
-        call refused(stat, errmsg, PDN_ERR_NOT_AVAILABLE, 'branch: ')
-        call s%force_on_node(spring, 7, PDN_FRAME_SPACE, zero, six, stat, errmsg)
-        call refused(stat, errmsg, PDN_ERR_ID, 'node: ')
-        call s%node_harmonics(body, PDN_NODE_VELOCITY, mean, many, many, stat, errmsg)
-        call refused(stat, errmsg, PDN_ERR_SIZE, 'mean: expected the shape 6, got 3')
-        call s%node_harmonics(body, PDN_NODE_POSITION, mean, many, many1, stat, errmsg)
-        call refused(stat, errmsg, PDN_ERR_SIZE, 'sines: ')
-        call s%joint_harmonics(hinge, PDN_JOINT_RATE, PDN_ROTATION, mean1, many1, many1, mean, &
+        call s%sample(pdn_quantity_of(PDN_JOINT_RATE, 2, PDN_ROTATION), zero, one, &
             stat, errmsg)
-        call refused(stat, errmsg, PDN_ERR_SIZE, 'rate: ')
-        call s%joint_harmonics(hinge, 50, PDN_ROTATION, mean6, many6, many6, stat=stat, &
-            errmsg=errmsg)
-        call refused(stat, errmsg, PDN_ERR_VALUE, 'quantity: ')
-        call s%beam_harmonics(0, 0.0_dp, PDN_BEAM_FORCE, mean6, many6, many6, stat, errmsg)
-        call refused(stat, errmsg, PDN_ERR_ID, 'element: ')
-        call s%force_harmonics(9, PDN_FORCE_EFFORT, 0, mean1, many1(:, :2), many1(:, :2), &
+        call refused(stat, errmsg, PDN_ERR_ID, 'quantity.object: ')
+        call s%sample(pdn_quantity_of(PDN_JOINT_ACCELERATION, hinge, 9), zero, &
+            one, stat, errmsg)
+        call refused(stat, errmsg, PDN_ERR_VALUE, 'quantity.component: ')
+        call s%sample(pdn_quantity_of(PDN_JOINT_DRIVING_EFFORT, hinge, PDN_ROTATION), zero, &
+            one, stat, errmsg)
+        call refused(stat, errmsg, PDN_ERR_NOT_AVAILABLE, 'coordinate: ')
+        call s%sample(pdn_quantity_of(PDN_JOINT_DRIVING_EFFORT, hinge, PDN_ROTATION), zero, &
+            mean, stat, errmsg)
+        call refused(stat, errmsg, PDN_ERR_SIZE, 'out: expected the shape 1, got 3')
+        call s%sample(pdn_quantity_of(PDN_JOINT_REACTION, hinge, frame=4), zero, six, stat, &
+            errmsg)
+        call refused(stat, errmsg, PDN_ERR_VALUE, 'quantity.frame: ')
+        call s%sample(pdn_quantity_of(PDN_BEAM_STRAIN, 0), zero, six, stat, errmsg)
+        call refused(stat, errmsg, PDN_ERR_ID, 'quantity.object: ')
+        call s%sample(pdn_quantity_of(PDN_BEAM_FORCE, PDN_FIRST_BEAM_ELEMENT, &
+            station=2.0_dp), zero, six, stat, errmsg)
+        call refused(stat, errmsg, PDN_ERR_VALUE, 'station: ')
+        call s%sample(pdn_quantity_of(PDN_FORCE_EFFORT, 4), zero, one, stat, errmsg)
+        call refused(stat, errmsg, PDN_ERR_ID, 'quantity.object: ')
+        call s%sample(pdn_quantity_of(PDN_FORCE_BRANCH_EFFORT, spring), zero, one, stat, errmsg)
+        call refused(stat, errmsg, PDN_ERR_NOT_AVAILABLE, 'branch: ')
+        call s%sample(pdn_quantity_of(PDN_FORCE_BRANCH_ELONGATION, spring), zero, one, stat, &
+            errmsg)
+        call refused(stat, errmsg, PDN_ERR_NOT_AVAILABLE, 'branch: ')
+        call s%sample(pdn_quantity_of(PDN_FORCE_ON_NODE, spring, node=7), zero, six, &
+            stat, errmsg)
+        call refused(stat, errmsg, PDN_ERR_ID, 'quantity.node: ')
+        call s%harmonics(pdn_quantity_of(PDN_NODE_VELOCITY, body), mean, many, many, &
             stat=stat, errmsg=errmsg)
-        call refused(stat, errmsg, PDN_ERR_ID, 'force: ')
+        call refused(stat, errmsg, PDN_ERR_SIZE, 'mean: expected the shape 6, got 3')
+        call s%harmonics(pdn_quantity_of(PDN_NODE_POSITION, body), mean, many, many1, &
+            stat=stat, errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_SIZE, 'sines: ')
+        call s%harmonics(pdn_quantity_of(PDN_JOINT_RATE, hinge, PDN_ROTATION), &
+            mean1, many1, many1, mean, stat, errmsg)
+        call refused(stat, errmsg, PDN_ERR_SIZE, 'rate: ')
+        call s%harmonics(pdn_quantity_of(50, hinge, PDN_ROTATION), mean6, many6, many6, stat=stat, &
+            errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_VALUE, 'quantity.kind: ')
+        call s%harmonics(pdn_quantity_of(PDN_BEAM_FORCE, 0), mean6, many6, many6, &
+            stat=stat, errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_ID, 'quantity.object: ')
+        call s%harmonics(pdn_quantity_of(PDN_FORCE_EFFORT, 9), mean1, many1(:, :2), many1(:, &
+            :2), stat=stat, errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_ID, 'quantity.object: ')
         call check(all(one == 8) .and. all(three == 8), 'outputs as they were')
     end subroutine solutions
 

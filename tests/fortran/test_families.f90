@@ -33,7 +33,7 @@ contains
 
         call driven(model, body, hinge, parameter)
         call pdn_quantity_init(angle, c_sizeof(angle))
-        angle%kind = PDN_QUANTITY_COORDINATE
+        angle%kind = PDN_JOINT_COORDINATE
         angle%object = hinge
         angle%component = PDN_ROTATION
         call conditions%new()
@@ -47,8 +47,8 @@ contains
         ! The same with the parameter given.
         call model%set_parameter(parameter, 0.3_dp)
         call model%solve_periodic(period, solution)
-        call solution%joint_harmonics(hinge, PDN_JOINT_COORDINATE, PDN_ROTATION, mean, &
-            cosines, sines)
+        call solution%harmonics(pdn_quantity_of(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION), &
+            mean, cosines, sines)
         call near(mean(1), 0.1_dp, 1e-10_dp, 'mean angle')
 
         ! What the mean angle gains from the moment, and the first harmonic does not.
@@ -95,14 +95,14 @@ contains
             call branch%get(i, point)
             call branch%solution(i, solution)
             call near(point%parameter*point%period, 2*pi, 1e-12_dp, 'period')
-            call solution%joint_harmonics(hinge, PDN_JOINT_COORDINATE, PDN_ROTATION, mean, &
-                cosines, sines)
+            call solution%harmonics(pdn_quantity_of(PDN_JOINT_COORDINATE, hinge, &
+                PDN_ROTATION), mean, cosines, sines)
             stiffness = cmplx(3 - 0.5_dp*point%parameter**2, 0.2_dp*point%parameter, dp)
             call near(hypot(cosines(1, 1), sines(1, 1)), 0.6_dp/abs(stiffness), 1e-8_dp, &
                 'amplitude')
         end do
         call pdn_quantity_init(position, c_sizeof(position))
-        position%kind = PDN_QUANTITY_POSITION
+        position%kind = PDN_NODE_POSITION
         position%object = body
         call branch%write_csv('test_families.csv', [position])
         stat = 77

@@ -26,10 +26,12 @@ contains
             pdn_harmonics(0.0_dp, 0.0_dp, [0.6_dp], [0.0_dp]))
         call model%solve_periodic(period, solution)
         call table%new(times)
-        call table%add_joint(solution, hinge, PDN_JOINT_COORDINATE, PDN_ROTATION, 'angle  ')
+        call table%add(solution, pdn_quantity_of(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION), &
+            'angle  ')
         call table%add_values('mine', [1.0_dp, 2.0_dp, 3.0_dp])
         call table%write_csv('own.csv')
-        call solution%joint_coordinate(hinge, PDN_ROTATION, times, angle)
+        call solution%sample(pdn_quantity_of(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION), &
+            times, angle)
         open (newunit=unit, file='own.csv', status='old', action='read')
         read (unit, '(a)') head
         call check(head == 't,angle,mine', 'names')
@@ -39,7 +41,7 @@ contains
         end do
         close (unit)
 
-        turn = pdn_quantity_of(PDN_QUANTITY_COORDINATE, hinge, component=PDN_ROTATION)
+        turn = pdn_quantity_of(PDN_JOINT_COORDINATE, hinge, component=PDN_ROTATION)
         call solution%sample(turn, times, sampled)
         call check(all(sampled(1, :) == angle), 'quantity')
         call solution%extremes(turn, least, at(:1), most, at(2:))
@@ -54,14 +56,15 @@ contains
         turn%component = PDN_ROTATION
         call table%add(solution, turn, 'turn')
 
-        call table%add_node(solution, body, PDN_NODE_POSITION)
-        call table%add_joint(solution, hinge, PDN_JOINT_REACTION, PDN_FRAME_SPACE, 'reaction')
-        call table%add_force(solution, spring, PDN_FORCE_ON_NODE, body, 'pull')
+        call table%add(solution, pdn_quantity_of(PDN_NODE_POSITION, body))
+        call table%add(solution, pdn_quantity_of(PDN_JOINT_REACTION, hinge), 'reaction')
+        call table%add(solution, pdn_quantity_of(PDN_FORCE_ON_NODE, spring, node=body), &
+            'pull')
         call cantilever%new()
         call cantilever%add_straight_beam(origin, axis_1, axis_2, steel(), 2, 1, beam)
         call cantilever%add_rigid_joint(PDN_GROUND, beam%first, origin)
         call cantilever%solve_static(bent)
-        call table%add_beam(bent, beam%first_element, 0.0_dp, PDN_BEAM_FORCE, 'root')
+        call table%add(bent, pdn_quantity_of(PDN_BEAM_FORCE, beam%first_element), 'root')
         call table%write_csv('more.csv')
         open (newunit=unit, file='more.csv', status='old', action='read')
         read (unit, '(a)') head
@@ -75,8 +78,8 @@ contains
         ! What is loaded is what was saved, and can be solved again.
         call bent%save('bent.pdn')
         call loaded%load('bent.pdn')
-        call bent%node_position(beam%last, [0.0_dp], tip)
-        call loaded%node_position(beam%last, [0.0_dp], same)
+        call bent%sample(pdn_quantity_of(PDN_NODE_POSITION, beam%last), [0.0_dp], tip)
+        call loaded%sample(pdn_quantity_of(PDN_NODE_POSITION, beam%last), [0.0_dp], same)
         call check(all(tip == same) .and. loaded%report() == bent%report(), 'loaded')
         call loaded%model(cantilever)
         call cantilever%element_count(elements)
@@ -89,18 +92,19 @@ contains
         errmsg = 'none'
         call table%new([not_a_number()], stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_NOT_FINITE, 'times')
-        call table%add_node(solution, 4, PDN_NODE_POSITION, 'x', stat, errmsg)
-        call refused(stat, errmsg, PDN_ERR_ID, 'node: ')
-        call table%add_node(solution, body, PDN_NODE_POSITION, stat=stat, errmsg=errmsg)
+        call table%add(solution, pdn_quantity_of(PDN_NODE_POSITION, 4), 'x', stat, errmsg)
+        call refused(stat, errmsg, PDN_ERR_ID, 'quantity.object: ')
+        call table%add(solution, pdn_quantity_of(PDN_NODE_POSITION, body), stat=stat, &
+            errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_VALUE, 'label: ')
-        call table%add_joint(solution, hinge, PDN_JOINT_RATE, PDN_DISPLACEMENT, stat=stat, &
-            errmsg=errmsg)
+        call table%add(solution, pdn_quantity_of(PDN_JOINT_RATE, hinge, &
+            PDN_DISPLACEMENT), stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_NOT_AVAILABLE, 'coordinate: ')
-        call table%add_beam(bent, beam%first_element, 3.0_dp, PDN_BEAM_FORCE, stat=stat, &
-            errmsg=errmsg)
+        call table%add(bent, pdn_quantity_of(PDN_BEAM_FORCE, beam%first_element, &
+            station=3.0_dp), stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_VALUE, 'station: ')
-        call table%add_force(solution, 8, PDN_FORCE_EFFORT, 0, stat=stat, errmsg=errmsg)
-        call refused(stat, errmsg, PDN_ERR_ID, 'force: ')
+        call table%add(solution, pdn_quantity_of(PDN_FORCE_EFFORT, 8), stat=stat, errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_ID, 'quantity.object: ')
         call table%add_values('short', [1.0_dp], stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_SIZE, 'count: ')
         call table%write_csv('no/such/place.csv', stat, errmsg)

@@ -38,7 +38,7 @@ contains
         call check(free%converged(), 'converged')
         call free%march(figures)
         call check(figures%steps == 2000, 'steps')
-        call free%joint_coordinate(hinge, PDN_ROTATION, [t], angle)
+        call free%sample(pdn_quantity_of(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION), [t], angle)
         ! Second order: with rate 2.4 and step 1e-3 the error is a few 1e-7.
         rate = sqrt(6 - 0.04_dp)
         call near(angle(1), 0.3_dp/rate*exp(-0.2_dp*t)*sin(rate*t), 1e-6_dp, 'free vibration')

@@ -88,17 +88,23 @@ contains
         call solution%grid_times(times)
         call near(times(2), period/31, 1e-15_dp, 'grid times')
 
-        call solution%joint_coordinate(hinge, PDN_ROTATION, times, angle)
-        call solution%joint_rate(hinge, PDN_ROTATION, times, rate)
-        call solution%joint_acceleration(hinge, PDN_ROTATION, times, acceleration)
-        call solution%joint_reaction(hinge, PDN_FRAME_FIRST, times, reaction)
-        call solution%node_position(body, times, position)
-        call solution%node_rotation(body, times, rotation)
-        call solution%node_quaternion(body, times, quaternion)
-        call solution%node_velocity(body, PDN_FRAME_SPACE, times, velocity)
-        call solution%node_acceleration(body, PDN_FRAME_MATERIAL, times, turning)
-        call solution%force_effort(spring, times, effort)
-        call solution%force_on_node(spring, body, PDN_FRAME_SPACE, times, on_body)
+        call solution%sample(pdn_quantity_of(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION), &
+            times, angle)
+        call solution%sample(pdn_quantity_of(PDN_JOINT_RATE, hinge, PDN_ROTATION), &
+            times, rate)
+        call solution%sample(pdn_quantity_of(PDN_JOINT_ACCELERATION, hinge, &
+            PDN_ROTATION), times, acceleration)
+        call solution%sample(pdn_quantity_of(PDN_JOINT_REACTION, hinge, &
+            frame=PDN_FRAME_FIRST), times, reaction)
+        call solution%sample(pdn_quantity_of(PDN_NODE_POSITION, body), times, position)
+        call solution%sample(pdn_quantity_of(PDN_NODE_ROTATION, body), times, rotation)
+        call solution%sample(pdn_quantity_of(PDN_NODE_QUATERNION, body), times, quaternion)
+        call solution%sample(pdn_quantity_of(PDN_NODE_VELOCITY, body), times, velocity)
+        call solution%sample(pdn_quantity_of(PDN_NODE_ACCELERATION, body, &
+            frame=PDN_FRAME_MATERIAL), times, turning)
+        call solution%sample(pdn_quantity_of(PDN_FORCE_EFFORT, spring), times, effort)
+        call solution%sample(pdn_quantity_of(PDN_FORCE_ON_NODE, spring, node=body), &
+            times, on_body)
         factors = oscillator_angle(3.0_dp, 0.2_dp)
         do k = 1, size(times)
             expected = dot_product(factors, [cos(omega*times(k)), sin(omega*times(k))])
@@ -116,17 +122,18 @@ contains
             call near(on_body(6, k), -effort(k), 1e-11_dp, 'on body')
         end do
 
-        call solution%joint_harmonics(hinge, PDN_JOINT_COORDINATE, PDN_ROTATION, mean, cosines, &
-            sines, growth)
+        call solution%harmonics(pdn_quantity_of(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION), &
+            mean, cosines, sines, growth)
         call near(mean(1), 0.0_dp, 1e-12_dp, 'mean')
         call near(growth(1), 0.0_dp, 1e-12_dp, 'growth')
         call near(cosines(1, 1), factors(1), 1e-12_dp, 'cosine')
         call near(sines(1, 1), factors(2), 1e-12_dp, 'sine')
         call near(cosines(1, 2), 0.0_dp, 1e-12_dp, 'second cosine')
-        call solution%force_harmonics(spring, PDN_FORCE_EFFORT, 0, mean, cosines, sines)
+        call solution%harmonics(pdn_quantity_of(PDN_FORCE_EFFORT, spring), mean, cosines, sines)
         call near(cosines(1, 1), 3*factors(1) + 0.2_dp*omega*factors(2), 1e-11_dp, &
             'cosine of effort')
-        call solution%node_harmonics(body, PDN_NODE_VELOCITY, mean6, cosines6, sines6)
+        call solution%harmonics(pdn_quantity_of(PDN_NODE_VELOCITY, body), mean6, cosines6, &
+            sines6)
         call near(cosines6(6, 1), omega*factors(2), 1e-12_dp, 'cosine of velocity')
 
         ! From the solution on another grid, and from its motions: one iteration each.
@@ -143,8 +150,10 @@ contains
 
         ! Seen through a filter.
         call solution%filtered(PDN_FILTER_EXPONENTIAL, 2, again)
-        call solution%joint_coordinate(hinge, PDN_ROTATION, [0.0_dp], plain)
-        call again%joint_coordinate(hinge, PDN_ROTATION, [0.0_dp], smooth)
+        call solution%sample(pdn_quantity_of(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION), &
+            [0.0_dp], plain)
+        call again%sample(pdn_quantity_of(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION), &
+            [0.0_dp], smooth)
         call near(smooth(1), plain(1)*exp(-36.0_dp/16**2), 1e-12_dp, 'filtered')
 
         ! On grids that the library chooses.
@@ -213,13 +222,16 @@ contains
         call model%solve_static(solution)
         call check(solution%converged(), 'static')
         ! 530 / (2 EA) + 530 / EA, each over 1
-        call solution%node_position(beam%last, [0.0_dp], position)
+        call solution%sample(pdn_quantity_of(PDN_NODE_POSITION, beam%last), [0.0_dp], position)
         call near(position(1, 1) - 2, 1.5e-5_dp, 1e-12_dp, 'elongation')
-        call solution%beam_strain(beam%first_element, 0.0_dp, [0.0_dp], strain)
+        call solution%sample(pdn_quantity_of(PDN_BEAM_STRAIN, beam%first_element), [0.0_dp], &
+            strain)
         call near(strain(1, 1), 5e-6_dp, 1e-12_dp, 'strain')
-        call solution%beam_force(beam%first_element + 3, 0.3_dp, [0.1_dp, 0.2_dp], force)
+        call solution%sample(pdn_quantity_of(PDN_BEAM_FORCE, beam%first_element + 3, &
+            station=0.3_dp), [0.1_dp, 0.2_dp], force)
         call near(force(1, 2), 530.0_dp, 1e-5_dp, 'force')
-        call solution%beam_harmonics(beam%first_element, 1.0_dp, PDN_BEAM_FORCE, mean, none, none)
+        call solution%harmonics(pdn_quantity_of(PDN_BEAM_FORCE, beam%first_element, &
+            station=1.0_dp), mean, none, none)
         call near(mean(1), 530.0_dp, 1e-5_dp, 'mean force')
         call pdn_init(options)
         options%load_steps = 3
@@ -422,12 +434,14 @@ contains
         storage = 2*wt**2/(1 + wt**2)
         loss = 2*wt/(1 + wt**2)
         factors = oscillator_angle(3 + storage, 0.2_dp + loss/omega)
-        call solution%joint_coordinate(hinge, PDN_ROTATION, [0.0_dp], found)
+        call solution%sample(pdn_quantity_of(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION), &
+            [0.0_dp], found)
         call near(found(1), factors(1), 1e-12_dp, 'angle')
-        call solution%force_branch_effort(branch, 0, [0.0_dp], effort)
+        call solution%sample(pdn_quantity_of(PDN_FORCE_BRANCH_EFFORT, branch), [0.0_dp], effort)
         call near(effort(1), dot_product([storage, loss], factors), 1e-12_dp, &
             'effort of the branch')
-        call solution%force_branch_elongation(branch, 0, [0.0_dp], found)
+        call solution%sample(pdn_quantity_of(PDN_FORCE_BRANCH_ELONGATION, branch), [0.0_dp], &
+            found)
         call near(found(1), factors(1) - effort(1)/2, 1e-12_dp, 'elongation of the dashpot')
     end subroutine viscoelastic
 
@@ -461,7 +475,8 @@ contains
         options%grid_points = 31
         call model%solve_periodic(period, solution, options)
         call model%free()
-        call solution%joint_driving_effort(hinge, PDN_ROTATION, [0.0_dp], effort)
+        call solution%sample(pdn_quantity_of(PDN_JOINT_DRIVING_EFFORT, hinge, PDN_ROTATION), &
+            [0.0_dp], effort)
         call near(effort(1), 0.1_dp*(3 - 0.5_dp*omega**2), 1e-11_dp, 'driving effort')
     end subroutine handles
 end program test_model

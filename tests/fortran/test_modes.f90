@@ -39,10 +39,12 @@ contains
         call modes%shape(0, [body], real_part)
         call near(real_part(1, 1), 0.0_dp, 1e-10_dp, 'displacement')
         call modes%motion(0, 0.01_dp, motion)
-        call motion%joint_harmonics(hinge, PDN_JOINT_COORDINATE, PDN_ROTATION, mean, cosines, sines)
+        call motion%harmonics(pdn_quantity_of(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION), &
+            mean, cosines, sines)
         call near(hypot(cosines(1, 1), sines(1, 1)), 0.01_dp, 1e-10_dp, 'motion')
         call modes%equilibrium(equilibrium)
-        call equilibrium%joint_coordinate(hinge, PDN_ROTATION, [0.0_dp], angle)
+        call equilibrium%sample(pdn_quantity_of(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION), &
+            [0.0_dp], angle)
         call near(angle(1), 0.0_dp, 1e-12_dp, 'equilibrium')
         call model%solve_modes(modes, options, initial=equilibrium)
         call check(modes%converged(), 'from an equilibrium')

@@ -114,7 +114,7 @@ contains
         call model%solve_static(solution)
         call check(solution%converged(), 'converged')
         call model%shell_node(shell%first_element + 1, 2, 0, tip)
-        call solution%node_position(tip, [0.0_dp], position)
+        call solution%sample(pdn_quantity_of(PDN_NODE_POSITION, tip), [0.0_dp], position)
         call near(position(1, 1) - length, 600*length/(young*thickness), 1e-12_dp, 'stretch')
     end subroutine stretched
 
@@ -145,7 +145,7 @@ contains
             call model%solve_static(solution)
             call check(solution%converged(), 'converged')
             call model%shell_node(PDN_FIRST_SHELL_ELEMENT + 1, 2, 0, node)
-            call solution%node_position(node, [0.0_dp], position)
+            call solution%sample(pdn_quantity_of(PDN_NODE_POSITION, node), [0.0_dp], position)
             heights(k) = position(3, 1)
         end do
         call check(heights(1) > 1e-3_dp, 'bent by pressure')
