@@ -7,11 +7,11 @@ use super::joint::coordinate;
 use super::load::{PDN_FRAME_MATERIAL, PDN_FRAME_SPACE, load_frame};
 use super::options::Options;
 use super::pointer::check_pointer;
-use super::solution::{PDN_FRAME_FIRST, PDN_FRAME_SECOND, pdn_solution, place};
+use super::solution::{PDN_FRAME_FIRST, PDN_FRAME_SECOND, pdn_solution};
 use super::status::pdn_status;
-use super::table::{add, pdn_table};
+use super::table::{pdn_table, text_optional};
 use crate::elements::{Coordinate, ShellPoint, ShellSide};
-use crate::error::{Error, Result, require_finite};
+use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::fourier::PeriodicSeries;
 use crate::memory;
 use crate::output::{
@@ -277,6 +277,14 @@ impl pdn_quantity {
     }
 }
 
+/// A place in a list whose length the core knows.
+fn place(given: i32, name: &str) -> Result<usize> {
+    usize::try_from(given).map_err(|_| {
+        let message = format!("{name}: expected a number from 0 on, got {given}");
+        Error::new(ErrorKind::Identifier, message)
+    })
+}
+
 /// Reads what is asked for, which has no default.
 pub(super) fn selection(call: &Call, quantity: *const pdn_quantity) -> Result<Selection> {
     check_pointer(quantity, 1, "quantity")?;
@@ -503,5 +511,10 @@ pub unsafe extern "C" fn pdn_table_add_quantity(
     quantity: *const pdn_quantity,
     label: *const c_char,
 ) -> pdn_status {
-    add(table, solution, label, |call| selection(call, quantity))
+    guard(|call| {
+        let mut table = call.exclusive(table, "table")?;
+        let solution = call.shared(solution, "solution")?;
+        let label = text_optional(call, label, "label")?;
+        table.add(&solution, selection(call, quantity)?, label)
+    })
 }

@@ -7,7 +7,7 @@ use super::linear_solver::linear_solver_code;
 use super::options::Options;
 use super::status::pdn_status;
 use crate::collocation::DecayKind;
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::{Error, Result};
 use crate::fourier::SharpEvent;
 use crate::model::Labels;
 use crate::output::Solution;
@@ -490,14 +490,6 @@ pub unsafe extern "C" fn pdn_solution_grid_times(
         require_count(count, grid.len())?;
         call.out_slice(times, count, count, "times")?.set(&grid);
         Ok(())
-    })
-}
-
-/// A place in a list whose length the core knows.
-pub(super) fn place(given: i32, name: &str) -> Result<usize> {
-    usize::try_from(given).map_err(|_| {
-        let message = format!("{name}: expected a number from 0 on, got {given}");
-        Error::new(ErrorKind::Identifier, message)
     })
 }
 

@@ -3,10 +3,9 @@
 use super::call::Call;
 use super::guard::{free, guard};
 use super::handle::Handle;
-use super::solution::pdn_solution;
 use super::status::pdn_status;
 use crate::error::Result;
-use crate::output::{Selection, Table};
+use crate::output::Table;
 use libc::c_char;
 use std::path::Path;
 
@@ -56,23 +55,8 @@ pub unsafe extern "C" fn pdn_table_free(table: *mut pdn_table) {
     free(table);
 }
 
-/// Adds the columns of a quantity of a solution.
-pub(super) fn add(
-    table: *mut pdn_table,
-    solution: *const pdn_solution,
-    label: *const c_char,
-    quantity: impl FnOnce(&Call) -> Result<Selection>,
-) -> pdn_status {
-    guard(|call| {
-        let mut table = call.exclusive(table, "table")?;
-        let solution = call.shared(solution, "solution")?;
-        let label = text_optional(call, label, "label")?;
-        table.add(&solution, quantity(call)?, label)
-    })
-}
-
 /// Text, where NULL stands for "not given".
-fn text_optional<'call>(
+pub(super) fn text_optional<'call>(
     call: &'call Call,
     text: *const c_char,
     name: &str,
