@@ -59,7 +59,7 @@ program spatial_four_bar
         rest=0.0_dp)
 
     ! theta(t) = 0.3 t + (1 - cos 0.3 t) / 3 + sin(0.6 t) / 10 + (1 - cos 0.9 t) / 21
-    turn = pdn_harmonics(mean=1.0_dp/3 + 1.0_dp/21, rate=omega, &
+    turn = pdn_harmonics_signal(mean=1.0_dp/3 + 1.0_dp/21, rate=omega, &
         cosines=[-1.0_dp/3, 0.0_dp, -1.0_dp/21], sines=[0.0_dp, 0.1_dp, 0.0_dp])
     call model%prescribe(motor_D, PDN_ROTATION, turn)
 

@@ -1,6 +1,7 @@
 ! Periodyn for Fortran 2018: periodic response of flexible multibody systems.
 !
-! Compile this file with your program. It has two modules:
+! Compile this file with your program. It is written by script/fortran_interface from periodyn.h; do
+! not edit it. It has two modules:
 !
 !   periodyn_c   the functions, structs and constants of periodyn.h, under their names; its
 !                documentation holds. Pointers that may be NULL are optional arguments; texts end
@@ -8,7 +9,6 @@
 !   periodyn     the same as derived types that free themselves, with optional stat and errmsg; it
 !                passes periodyn_c on.
 
-! The next module is written by script/fortran_interface from periodyn.h; do not edit it.
 module periodyn_c
     use, intrinsic :: iso_c_binding
     implicit none
@@ -751,7 +751,8 @@ module periodyn_c
         end function pdn_surface_fn
 
         ! A law of effort on a joint coordinate, to be written by the caller
-        function pdn_coordinate_law_fn(time, coordinate, rate, effort, derivatives, user_data) bind(C)
+        function pdn_coordinate_law_fn(time, coordinate, rate, effort, derivatives, &
+            user_data) bind(C)
             import
             real(c_double), value :: time
             real(c_double), value :: coordinate
@@ -762,7 +763,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_coordinate_law_fn
         end function pdn_coordinate_law_fn
 
-        ! Disposes of the `user_data` of a force; see ::pdn_model_add_user_force for when it is called
+        ! Disposes of the `user_data` of a force; see ::pdn_model_add_user_force for when it is
+        ! called
         subroutine pdn_destroy_fn(user_data) bind(C)
             import
             type(c_ptr), value :: user_data
@@ -786,7 +788,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_controller_fn
         end function pdn_controller_fn
 
-        ! Forces on shells, to be computed by the caller, such as of a fluid: for all points of one element at once, ...
+        ! Forces on shells, to be computed by the caller, such as of a fluid: for all points of
+        ! one element at once, each by the motion of this point alone
         function pdn_surface_force_fn(state, values, user_data) bind(C)
             import
             type(pdn_surface_state), intent(in) :: state
@@ -795,7 +798,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_surface_force_fn
         end function pdn_surface_force_fn
 
-        ! Called after each Newton iteration, or after each step of a march, and while one lasts about ten times a ...
+        ! Called after each Newton iteration, or after each step of a march, and while one lasts
+        ! about ten times a second, on the solving thread
         function pdn_progress_fn(progress, user_data) bind(C)
             import
             type(pdn_progress), intent(in) :: progress
@@ -825,7 +829,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_gather_fn
         end function pdn_gather_fn
 
-        ! Called with each point of a branch, on the thread that follows it; `number` counts from 1
+        ! Called with each point of a branch, on the thread that follows it; `number` counts from
+        ! 1
         function pdn_branch_fn(point, number, user_data) bind(C)
             import
             type(pdn_branch_point), intent(in) :: point
@@ -870,7 +875,8 @@ module periodyn_c
             type(c_ptr) :: pdn_status_message
         end function pdn_status_message
 
-        ! Message of the last call that failed on this thread: which argument, what was expected, what came
+        ! Message of the last call that failed on this thread: which argument, what was expected,
+        ! what came
         function pdn_last_error(buffer, capacity) bind(C, name="pdn_last_error")
             import
             character(kind=c_char), intent(inout), optional :: buffer(*)
@@ -878,7 +884,8 @@ module periodyn_c
             integer(c_size_t) :: pdn_last_error
         end function pdn_last_error
 
-        ! Sets the message that ::pdn_last_error gives on this thread: for libraries on top of this one, whose own ...
+        ! Sets the message that ::pdn_last_error gives on this thread: for libraries on top of
+        ! this one, whose own functions fail
         function pdn_set_last_error(message) bind(C, name="pdn_set_last_error")
             import
             character(kind=c_char), intent(in) :: message(*)
@@ -911,8 +918,10 @@ module periodyn_c
             integer(c_size_t), value :: struct_size
         end subroutine pdn_section_init
 
-        ! Describes a section without couplings: centroid, shear centre and centre of mass lie on the beam's line, ...
-        function pdn_section_set_diagonal(section, stiffness, mass) bind(C, name="pdn_section_set_diagonal")
+        ! Describes a section without couplings: centroid, shear centre and centre of mass lie on
+        ! the beam's line, and axes 2 and 3 are principal
+        function pdn_section_set_diagonal(section, stiffness, &
+            mass) bind(C, name="pdn_section_set_diagonal")
             import
             type(pdn_section), intent(inout) :: section
             real(c_double), intent(in) :: stiffness(*)
@@ -920,7 +929,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_section_set_diagonal
         end function pdn_section_set_diagonal
 
-        ! Gives a section damping with one time for each force and moment: damping = diag(seconds) * stiffness, ...
+        ! Gives a section damping with one time for each force and moment: damping = diag(seconds)
+        ! * stiffness, which must have been set
         function pdn_section_set_component_damping(section, &
             seconds) bind(C, name="pdn_section_set_component_damping")
             import
@@ -966,8 +976,10 @@ module periodyn_c
             integer(c_int32_t) :: pdn_signal_set_harmonics
         end function pdn_signal_set_harmonics
 
-        ! Makes a signal rate t plus the trigonometric interpolation of samples[k] at t = k T / count
-        function pdn_signal_set_samples(signal, rate, samples, count) bind(C, name="pdn_signal_set_samples")
+        ! Makes a signal rate t plus the trigonometric interpolation of samples[k] at t = k T /
+        ! count
+        function pdn_signal_set_samples(signal, rate, samples, &
+            count) bind(C, name="pdn_signal_set_samples")
             import
             type(pdn_signal), intent(inout) :: signal
             real(c_double), value :: rate
@@ -977,7 +989,8 @@ module periodyn_c
         end function pdn_signal_set_samples
 
         ! Makes a signal a function of the caller
-        function pdn_signal_set_function(signal, function, user_data) bind(C, name="pdn_signal_set_function")
+        function pdn_signal_set_function(signal, function, &
+            user_data) bind(C, name="pdn_signal_set_function")
             import
             type(pdn_signal), intent(inout) :: signal
             type(c_funptr), value :: function
@@ -985,7 +998,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_signal_set_function
         end function pdn_signal_set_function
 
-        ! Makes a signal a function of the caller, of the phase 2 pi t / T \[radians\], which it is told in place of ...
+        ! Makes a signal a function of the caller, of the phase 2 pi t / T \[radians\], which it
+        ! is told in place of the time: it holds for any period T
         function pdn_signal_set_function_of_phase(signal, function, &
             user_data) bind(C, name="pdn_signal_set_function_of_phase")
             import
@@ -1051,7 +1065,8 @@ module periodyn_c
         end function pdn_model_node_frame
 
         ! Adds a node: a frame that moves
-        function pdn_model_add_node(model, position, rotation, node) bind(C, name="pdn_model_add_node")
+        function pdn_model_add_node(model, position, rotation, &
+            node) bind(C, name="pdn_model_add_node")
             import
             type(c_ptr), value :: model
             real(c_double), intent(in) :: position(*)
@@ -1073,7 +1088,8 @@ module periodyn_c
         end function pdn_model_add_rigid_body
 
         ! Fixes a mass to a node, in addition to what the node has
-        function pdn_model_add_mass(model, node, mass, centre, inertia, id) bind(C, name="pdn_model_add_mass")
+        function pdn_model_add_mass(model, node, mass, centre, inertia, &
+            id) bind(C, name="pdn_model_add_mass")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), value :: node
@@ -1085,7 +1101,8 @@ module periodyn_c
         end function pdn_model_add_mass
 
         ! Fixes an inertia of any kind to a node, in addition to what the node has
-        function pdn_model_add_inertia(model, node, frame, matrix, id) bind(C, name="pdn_model_add_inertia")
+        function pdn_model_add_inertia(model, node, frame, matrix, &
+            id) bind(C, name="pdn_model_add_inertia")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), value :: node
@@ -1251,8 +1268,8 @@ module periodyn_c
         end function pdn_model_add_joint
 
         ! Joins two bodies by a screw, between a frame fixed to each
-        function pdn_model_add_screw_between(model, first, second, first_frame, second_frame, pitch, &
-            joint) bind(C, name="pdn_model_add_screw_between")
+        function pdn_model_add_screw_between(model, first, second, first_frame, second_frame, &
+            pitch, joint) bind(C, name="pdn_model_add_screw_between")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), value :: first
@@ -1264,7 +1281,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_add_screw_between
         end function pdn_model_add_screw_between
 
-        ! Number of linear relations between joint coordinates; their ids follow each other from PDN_FIRST_RELATION on
+        ! Number of linear relations between joint coordinates; their ids follow each other from
+        ! PDN_FIRST_RELATION on
         function pdn_model_relation_count(model, count) bind(C, name="pdn_model_relation_count")
             import
             type(c_ptr), value :: model
@@ -1294,7 +1312,8 @@ module periodyn_c
         end subroutine pdn_line_init
 
         ! Makes a line straight
-        function pdn_line_set_straight(line, start, end, axis_2) bind(C, name="pdn_line_set_straight")
+        function pdn_line_set_straight(line, start, end, &
+            axis_2) bind(C, name="pdn_line_set_straight")
             import
             type(pdn_line), intent(inout) :: line
             real(c_double), intent(in) :: start(*)
@@ -1304,7 +1323,8 @@ module periodyn_c
         end function pdn_line_set_straight
 
         ! Makes a line the circular arc from start through point to end, of up to a whole turn
-        function pdn_line_set_arc(line, start, point, end, axis_2) bind(C, name="pdn_line_set_arc")
+        function pdn_line_set_arc(line, start, point, end, &
+            axis_2) bind(C, name="pdn_line_set_arc")
             import
             type(pdn_line), intent(inout) :: line
             real(c_double), intent(in) :: start(*)
@@ -1343,8 +1363,8 @@ module periodyn_c
         end function pdn_model_add_beam_element
 
         ! Adds a straight beam: its nodes and elements
-        function pdn_model_add_straight_beam(model, start, end, axis_2, section, elements, degree, &
-            beam) bind(C, name="pdn_model_add_straight_beam")
+        function pdn_model_add_straight_beam(model, start, end, axis_2, section, elements, &
+            degree, beam) bind(C, name="pdn_model_add_straight_beam")
             import
             type(c_ptr), value :: model
             real(c_double), intent(in) :: start(*)
@@ -1370,7 +1390,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_add_beam
         end function pdn_model_add_beam
 
-        ! Adds a beam along a line as ::pdn_model_add_beam does, with elements between given places
+        ! Adds a beam along a line as ::pdn_model_add_beam does, with elements between given
+        ! places
         function pdn_model_add_beam_between(model, line, stations, boundaries, elements, degree, &
             beam) bind(C, name="pdn_model_add_beam_between")
             import
@@ -1398,7 +1419,8 @@ module periodyn_c
         end function pdn_model_add_load
 
         ! Sets the acceleration of gravity, in place of any set before
-        function pdn_model_set_gravity(model, acceleration) bind(C, name="pdn_model_set_gravity")
+        function pdn_model_set_gravity(model, &
+            acceleration) bind(C, name="pdn_model_set_gravity")
             import
             type(c_ptr), value :: model
             real(c_double), intent(in) :: acceleration(*)
@@ -1416,9 +1438,11 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_set_gravity_signals
         end function pdn_model_set_gravity_signals
 
-        ! Adds one component of a force or moment distributed along beam elements, in addition to those that are there
-        function pdn_model_add_distributed_load(model, first_element, elements, frame, component, signal, &
-            fractions, factors, count, load) bind(C, name="pdn_model_add_distributed_load")
+        ! Adds one component of a force or moment distributed along beam elements, in addition to
+        ! those that are there
+        function pdn_model_add_distributed_load(model, first_element, elements, frame, &
+            component, signal, fractions, factors, count, &
+            load) bind(C, name="pdn_model_add_distributed_load")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), value :: first_element
@@ -1433,9 +1457,11 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_add_distributed_load
         end function pdn_model_add_distributed_load
 
-        ! Adds a force and moment distributed along beam elements, all components at all places at once, in addition ...
-        function pdn_model_add_load_at_places(model, first_element, elements, frame, axis_2, fractions, &
-            signals, count, first_load) bind(C, name="pdn_model_add_load_at_places")
+        ! Adds a force and moment distributed along beam elements, all components at all places at
+        ! once, in addition to those that are there: such as the air loads of a blade, at the
+        ! places where these are computed
+        function pdn_model_add_load_at_places(model, first_element, elements, frame, axis_2, &
+            fractions, signals, count, first_load) bind(C, name="pdn_model_add_load_at_places")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), value :: first_element
@@ -1449,7 +1475,9 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_add_load_at_places
         end function pdn_model_add_load_at_places
 
-        ! Describes everything in a frame that turns about a fixed axis at a constant rate, in place of any set ...
+        ! Describes everything in a frame that turns about a fixed axis at a constant rate, in
+        ! place of any set before: motions that repeat themselves but for a turn in each period
+        ! are periodic there
         function pdn_model_set_turning_frame(model, axis, rate, &
             point) bind(C, name="pdn_model_set_turning_frame")
             import
@@ -1461,7 +1489,8 @@ module periodyn_c
         end function pdn_model_set_turning_frame
 
         ! The frame that a model is described in, if it turns
-        function pdn_model_turning_frame(model, axis, rate, point) bind(C, name="pdn_model_turning_frame")
+        function pdn_model_turning_frame(model, axis, rate, &
+            point) bind(C, name="pdn_model_turning_frame")
             import
             type(c_ptr), value :: model
             real(c_double), intent(inout) :: axis(*)
@@ -1470,7 +1499,9 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_turning_frame
         end function pdn_model_turning_frame
 
-        ! Says that the blades of a rotor are alike, in place of what was said before: periodic solves, also under ...
+        ! Says that the blades of a rotor are alike, in place of what was said before: periodic
+        ! solves, also under conditions, then solve for one blade, the hub and the supports, and
+        ! the others follow
         function pdn_model_set_rotor_symmetry(model, axis, blades, nodes, count, hub, hub_count, &
             point) bind(C, name="pdn_model_set_rotor_symmetry")
             import
@@ -1499,7 +1530,8 @@ module periodyn_c
         end function pdn_model_rotor_symmetry
 
         ! A node of a rotor whose blades were said to be alike
-        function pdn_model_rotor_node(model, blade, index, node) bind(C, name="pdn_model_rotor_node")
+        function pdn_model_rotor_node(model, blade, index, &
+            node) bind(C, name="pdn_model_rotor_node")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), value :: blade
@@ -1526,7 +1558,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_surface_set_parallelogram
         end function pdn_surface_set_parallelogram
 
-        ! Makes a surface an annulus or a sector of one: u from the inner to the outer radius, v around the axis
+        ! Makes a surface an annulus or a sector of one: u from the inner to the outer radius, v
+        ! around the axis
         function pdn_surface_set_annulus(surface, centre, axis, start, inner, outer, &
             angle) bind(C, name="pdn_surface_set_annulus")
             import
@@ -1565,15 +1598,16 @@ module periodyn_c
         end function pdn_surface_set_function
 
         ! Makes a section with no stiffness, mass or damping
-        subroutine pdn_shell_section_init(section, struct_size) bind(C, name="pdn_shell_section_init")
+        subroutine pdn_shell_section_init(section, &
+            struct_size) bind(C, name="pdn_shell_section_init")
             import
             type(pdn_shell_section), intent(inout) :: section
             integer(c_size_t), value :: struct_size
         end subroutine pdn_shell_section_init
 
         ! Makes a section that of one isotropic, linearly elastic material
-        function pdn_shell_section_set_isotropic(section, thickness, young, poisson, density, drilling, &
-            drilling_gradient) bind(C, name="pdn_shell_section_set_isotropic")
+        function pdn_shell_section_set_isotropic(section, thickness, young, poisson, density, &
+            drilling, drilling_gradient) bind(C, name="pdn_shell_section_set_isotropic")
             import
             type(pdn_shell_section), intent(inout) :: section
             real(c_double), value :: thickness
@@ -1595,7 +1629,8 @@ module periodyn_c
         end function pdn_shell_section_set_proportional_damping
 
         ! Sets the defaults
-        subroutine pdn_shell_placement_init(placement, struct_size) bind(C, name="pdn_shell_placement_init")
+        subroutine pdn_shell_placement_init(placement, &
+            struct_size) bind(C, name="pdn_shell_placement_init")
             import
             type(pdn_shell_placement), intent(inout) :: placement
             integer(c_size_t), value :: struct_size
@@ -1615,9 +1650,10 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_add_shell_element
         end function pdn_model_add_shell_element
 
-        ! Adds a shell over a surface, with elements in equal parts of u and v: its nodes and elements
-        function pdn_model_add_shell(model, surface, elements_u, elements_v, degree_u, degree_v, join, &
-            section, placement, shell) bind(C, name="pdn_model_add_shell")
+        ! Adds a shell over a surface, with elements in equal parts of u and v: its nodes and
+        ! elements
+        function pdn_model_add_shell(model, surface, elements_u, elements_v, degree_u, degree_v, &
+            join, section, placement, shell) bind(C, name="pdn_model_add_shell")
             import
             type(c_ptr), value :: model
             type(pdn_surface), intent(in) :: surface
@@ -1632,9 +1668,11 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_add_shell
         end function pdn_model_add_shell
 
-        ! Adds a shell over given positions of its nodes, as ::pdn_model_add_shell does over a surface
-        function pdn_model_add_shell_grid(model, points, count, elements_u, elements_v, degree_u, degree_v, &
-            join, section, placement, shell) bind(C, name="pdn_model_add_shell_grid")
+        ! Adds a shell over given positions of its nodes, as ::pdn_model_add_shell does over a
+        ! surface
+        function pdn_model_add_shell_grid(model, points, count, elements_u, elements_v, &
+            degree_u, degree_v, join, section, placement, &
+            shell) bind(C, name="pdn_model_add_shell_grid")
             import
             type(c_ptr), value :: model
             real(c_double), intent(in) :: points(*)
@@ -1650,9 +1688,11 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_add_shell_grid
         end function pdn_model_add_shell_grid
 
-        ! Adds a shell element for each cell of a mesh of quadrilaterals, as mesh generators make them
-        function pdn_model_add_shell_quadrilaterals(model, points, point_count, cells, count, points_of_cell, &
-            degree, section, placement, first_element) bind(C, name="pdn_model_add_shell_quadrilaterals")
+        ! Adds a shell element for each cell of a mesh of quadrilaterals, as mesh generators make
+        ! them
+        function pdn_model_add_shell_quadrilaterals(model, points, point_count, cells, count, &
+            points_of_cell, degree, section, placement, &
+            first_element) bind(C, name="pdn_model_add_shell_quadrilaterals")
             import
             type(c_ptr), value :: model
             real(c_double), intent(in) :: points(*)
@@ -1680,7 +1720,8 @@ module periodyn_c
         end function pdn_model_shell_patch_node
 
         ! Number of shell elements; their ids follow each other from PDN_FIRST_SHELL_ELEMENT on
-        function pdn_model_shell_element_count(model, count) bind(C, name="pdn_model_shell_element_count")
+        function pdn_model_shell_element_count(model, &
+            count) bind(C, name="pdn_model_shell_element_count")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), intent(inout) :: count
@@ -1688,7 +1729,8 @@ module periodyn_c
         end function pdn_model_shell_element_count
 
         ! Node of a shell element
-        function pdn_model_shell_node(model, element, xi, eta, node) bind(C, name="pdn_model_shell_node")
+        function pdn_model_shell_node(model, element, xi, eta, &
+            node) bind(C, name="pdn_model_shell_node")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), value :: element
@@ -1698,9 +1740,10 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_shell_node
         end function pdn_model_shell_node
 
-        ! Adds one component of a force or moment on shell elements, in addition to those that are there: for each ...
-        function pdn_model_add_shell_load(model, first_element, elements, place, frame, component, signal, &
-            load) bind(C, name="pdn_model_add_shell_load")
+        ! Adds one component of a force or moment on shell elements, in addition to those that are
+        ! there: for each unit of reference area, or of reference length of an edge
+        function pdn_model_add_shell_load(model, first_element, elements, place, frame, &
+            component, signal, load) bind(C, name="pdn_model_add_shell_load")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), value :: first_element
@@ -1713,7 +1756,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_add_shell_load
         end function pdn_model_add_shell_load
 
-        ! Gives shell elements forces and moments where nothing is strained: initial stress, in place of any before
+        ! Gives shell elements forces and moments where nothing is strained: initial stress, in
+        ! place of any before
         function pdn_model_set_shell_prestress(model, first_element, elements, &
             resultants) bind(C, name="pdn_model_set_shell_prestress")
             import
@@ -1724,7 +1768,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_set_shell_prestress
         end function pdn_model_set_shell_prestress
 
-        ! Fixes nodes to a body, by a rigid joint each as ::pdn_model_add_rigid_joint makes: such as the nodes along ...
+        ! Fixes nodes to a body, by a rigid joint each as ::pdn_model_add_rigid_joint makes: such
+        ! as the nodes along an edge of a shell, which then moves as a part of the body
         function pdn_model_add_rigid_joints(model, body, nodes, count, first_joint, &
             joints) bind(C, name="pdn_model_add_rigid_joints")
             import
@@ -1737,7 +1782,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_add_rigid_joints
         end function pdn_model_add_rigid_joints
 
-        ! Fixes a whole edge of a shell over a surface or a grid to a body: ::pdn_model_add_rigid_joints with the ...
+        ! Fixes a whole edge of a shell over a surface or a grid to a body:
+        ! ::pdn_model_add_rigid_joints with the nodes along it
         function pdn_model_add_rigid_edge(model, body, shell, edge, first_joint, &
             joints) bind(C, name="pdn_model_add_rigid_edge")
             import
@@ -1750,7 +1796,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_add_rigid_edge
         end function pdn_model_add_rigid_edge
 
-        ! Number of forces: springs, dampers, actuators and the like, but not loads; their ids follow each other ...
+        ! Number of forces: springs, dampers, actuators and the like, but not loads; their ids
+        ! follow each other from PDN_FIRST_FORCE on
         function pdn_model_force_count(model, count) bind(C, name="pdn_model_force_count")
             import
             type(c_ptr), value :: model
@@ -1758,7 +1805,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_force_count
         end function pdn_model_force_count
 
-        ! Adds a linear spring with a damper on a joint coordinate, in addition to those that are there
+        ! Adds a linear spring with a damper on a joint coordinate, in addition to those that are
+        ! there
         function pdn_model_add_spring_damper(model, joint, coordinate, stiffness, damping, rest, &
             force) bind(C, name="pdn_model_add_spring_damper")
             import
@@ -1772,9 +1820,11 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_add_spring_damper
         end function pdn_model_add_spring_damper
 
-        ! Adds a nonlinear spring with a damper on a joint coordinate: polynomials of the coordinate and its rate
-        function pdn_model_add_nonlinear_spring_damper(model, joint, coordinate, stiffness, stiffness_count, &
-            damping, damping_count, rest, force) bind(C, name="pdn_model_add_nonlinear_spring_damper")
+        ! Adds a nonlinear spring with a damper on a joint coordinate: polynomials of the
+        ! coordinate and its rate
+        function pdn_model_add_nonlinear_spring_damper(model, joint, coordinate, stiffness, &
+            stiffness_count, damping, damping_count, rest, &
+            force) bind(C, name="pdn_model_add_nonlinear_spring_damper")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), value :: joint
@@ -1788,7 +1838,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_add_nonlinear_spring_damper
         end function pdn_model_add_nonlinear_spring_damper
 
-        ! Adds an actuator: a force on a displacement, or a torque on an angle, that follows a signal
+        ! Adds an actuator: a force on a displacement, or a torque on an angle, that follows a
+        ! signal
         function pdn_model_add_actuator(model, joint, coordinate, signal, &
             force) bind(C, name="pdn_model_add_actuator")
             import
@@ -1801,8 +1852,9 @@ module periodyn_c
         end function pdn_model_add_actuator
 
         ! Adds a viscoelastic element on a joint coordinate: a generalised Maxwell model
-        function pdn_model_add_viscoelastic(model, joint, coordinate, stiffness, rest, branch_stiffness, &
-            relaxation_times, branches, force) bind(C, name="pdn_model_add_viscoelastic")
+        function pdn_model_add_viscoelastic(model, joint, coordinate, stiffness, rest, &
+            branch_stiffness, relaxation_times, branches, &
+            force) bind(C, name="pdn_model_add_viscoelastic")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), value :: joint
@@ -1829,9 +1881,10 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_add_viscous_damper
         end function pdn_model_add_viscous_damper
 
-        ! Adds a bushing, a bearing or a seal: any matrices of stiffness and damping between two frames, unsymmetric ...
-        function pdn_model_add_bushing(model, first, second, first_frame, second_frame, stiffness, damping, &
-            angles, force) bind(C, name="pdn_model_add_bushing")
+        ! Adds a bushing, a bearing or a seal: any matrices of stiffness and damping between two
+        ! frames, unsymmetric ones included
+        function pdn_model_add_bushing(model, first, second, first_frame, second_frame, &
+            stiffness, damping, angles, force) bind(C, name="pdn_model_add_bushing")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), value :: first
@@ -1846,8 +1899,8 @@ module periodyn_c
         end function pdn_model_add_bushing
 
         ! Adds a spring-damper on a joint coordinate whose law is a function of the caller
-        function pdn_model_add_coordinate_law(model, joint, coordinate, tangents, function, user_data, &
-            destroy, force) bind(C, name="pdn_model_add_coordinate_law")
+        function pdn_model_add_coordinate_law(model, joint, coordinate, tangents, function, &
+            user_data, destroy, force) bind(C, name="pdn_model_add_coordinate_law")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), value :: joint
@@ -1861,8 +1914,8 @@ module periodyn_c
         end function pdn_model_add_coordinate_law
 
         ! Adds forces on nodes that a function of the caller computes
-        function pdn_model_add_user_force(model, nodes, count, frame, tangents, function, user_data, destroy, &
-            force) bind(C, name="pdn_model_add_user_force")
+        function pdn_model_add_user_force(model, nodes, count, frame, tangents, function, &
+            user_data, destroy, force) bind(C, name="pdn_model_add_user_force")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), intent(in) :: nodes(*)
@@ -1876,8 +1929,10 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_add_user_force
         end function pdn_model_add_user_force
 
-        ! Prepares a struct for ::pdn_model_check_tangents; use `PDN_INIT(pdn_tangent_check, &check)`
-        subroutine pdn_tangent_check_init(check, struct_size) bind(C, name="pdn_tangent_check_init")
+        ! Prepares a struct for ::pdn_model_check_tangents; use `PDN_INIT(pdn_tangent_check,
+        ! &check)`
+        subroutine pdn_tangent_check_init(check, &
+            struct_size) bind(C, name="pdn_tangent_check_init")
             import
             type(pdn_tangent_check), intent(inout) :: check
             integer(c_size_t), value :: struct_size
@@ -1894,10 +1949,12 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_check_tangents
         end function pdn_model_check_tangents
 
-        ! Adds a controller: efforts on joint coordinates by a function of the caller that reads any joint ...
-        function pdn_model_add_controller(model, input_joints, input_coordinates, input_count, output_joints, &
-            output_coordinates, output_count, initial, sizes, state_count, tangents, function, user_data, &
-            destroy, force) bind(C, name="pdn_model_add_controller")
+        ! Adds a controller: efforts on joint coordinates by a function of the caller that reads
+        ! any joint coordinates and their rates, and may have states of its own
+        function pdn_model_add_controller(model, input_joints, input_coordinates, input_count, &
+            output_joints, output_coordinates, output_count, initial, sizes, state_count, &
+            tangents, function, user_data, destroy, &
+            force) bind(C, name="pdn_model_add_controller")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), intent(in), optional :: input_joints(*)
@@ -1917,7 +1974,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_add_controller
         end function pdn_model_add_controller
 
-        ! Gives a controller its function, or another one: that of a model from a file is not there
+        ! Gives a controller its function, or another one: that of a model from a file is not
+        ! there
         function pdn_model_bind_controller(model, force, tangents, function, user_data, &
             destroy) bind(C, name="pdn_model_bind_controller")
             import
@@ -1930,7 +1988,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_bind_controller
         end function pdn_model_bind_controller
 
-        ! Numbers of the coordinates that a controller reads, of those that it acts on, and of its states
+        ! Numbers of the coordinates that a controller reads, of those that it acts on, and of its
+        ! states
         function pdn_model_controller_counts(model, force, input_count, output_count, &
             state_count) bind(C, name="pdn_model_controller_counts")
             import
@@ -1966,9 +2025,11 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_controller_state
         end function pdn_model_controller_state
 
-        ! Adds forces on shell elements that a function of the caller computes at the points of a quadrature: a ...
-        function pdn_model_add_surface_force(model, first_element, elements, place, frame, tangents, &
-            function, user_data, destroy, first_force) bind(C, name="pdn_model_add_surface_force")
+        ! Adds forces on shell elements that a function of the caller computes at the points of a
+        ! quadrature: a force, with an id of its own, for each element
+        function pdn_model_add_surface_force(model, first_element, elements, place, frame, &
+            tangents, function, user_data, destroy, &
+            first_force) bind(C, name="pdn_model_add_surface_force")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), value :: first_element
@@ -1983,7 +2044,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_add_surface_force
         end function pdn_model_add_surface_force
 
-        ! Gives a node, joint, element, force, load or the like a label, in place of the one that it has
+        ! Gives a node, joint, element, force, load or the like a label, in place of the one that
+        ! it has
         function pdn_model_set_label(model, kind, id, label) bind(C, name="pdn_model_set_label")
             import
             type(c_ptr), value :: model
@@ -1994,7 +2056,8 @@ module periodyn_c
         end function pdn_model_set_label
 
         ! The label of a node, joint, element, force, load or the like
-        function pdn_model_label(model, kind, id, buffer, capacity) bind(C, name="pdn_model_label")
+        function pdn_model_label(model, kind, id, buffer, &
+            capacity) bind(C, name="pdn_model_label")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), value :: kind
@@ -2005,7 +2068,8 @@ module periodyn_c
         end function pdn_model_label
 
         ! The node, joint, element, force, load or the like that has a label
-        function pdn_model_find_label(model, kind, label, id) bind(C, name="pdn_model_find_label")
+        function pdn_model_find_label(model, kind, label, &
+            id) bind(C, name="pdn_model_find_label")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), value :: kind
@@ -2028,7 +2092,8 @@ module periodyn_c
         end function pdn_solution_outcome
 
         ! A readable report: outcome and why, iterations, error estimates, time spent
-        function pdn_solution_report(solution, buffer, capacity) bind(C, name="pdn_solution_report")
+        function pdn_solution_report(solution, buffer, &
+            capacity) bind(C, name="pdn_solution_report")
             import
             type(c_ptr), value :: solution
             character(kind=c_char), intent(inout), optional :: buffer(*)
@@ -2036,15 +2101,19 @@ module periodyn_c
             integer(c_size_t) :: pdn_solution_report
         end function pdn_solution_report
 
-        ! Prepares a struct for ::pdn_solution_diagnostics; use `PDN_INIT(pdn_diagnostics, &diagnostics)`
-        subroutine pdn_diagnostics_init(diagnostics, struct_size) bind(C, name="pdn_diagnostics_init")
+        ! Prepares a struct for ::pdn_solution_diagnostics; use `PDN_INIT(pdn_diagnostics,
+        ! &diagnostics)`
+        subroutine pdn_diagnostics_init(diagnostics, &
+            struct_size) bind(C, name="pdn_diagnostics_init")
             import
             type(pdn_diagnostics), intent(inout) :: diagnostics
             integer(c_size_t), value :: struct_size
         end subroutine pdn_diagnostics_init
 
-        ! Figures of a solve: iterations, error estimates, residuals between grid points, time spent
-        function pdn_solution_diagnostics(solution, out) bind(C, name="pdn_solution_diagnostics")
+        ! Figures of a solve: iterations, error estimates, residuals between grid points, time
+        ! spent
+        function pdn_solution_diagnostics(solution, &
+            out) bind(C, name="pdn_solution_diagnostics")
             import
             type(c_ptr), value :: solution
             type(pdn_diagnostics), intent(inout) :: out
@@ -2063,8 +2132,10 @@ module periodyn_c
             integer(c_int32_t) :: pdn_solution_history
         end function pdn_solution_history
 
-        ! Decay of the harmonics: largest amplitude of each over all nodes, of positions relative to the size of the ...
-        function pdn_solution_decay(solution, amplitudes, count) bind(C, name="pdn_solution_decay")
+        ! Decay of the harmonics: largest amplitude of each over all nodes, of positions relative
+        ! to the size of the mechanism and of entries of rotation matrices
+        function pdn_solution_decay(solution, amplitudes, &
+            count) bind(C, name="pdn_solution_decay")
             import
             type(c_ptr), value :: solution
             real(c_double), intent(inout) :: amplitudes(*)
@@ -2072,15 +2143,18 @@ module periodyn_c
             integer(c_int32_t) :: pdn_solution_decay
         end function pdn_solution_decay
 
-        ! Number of events that the grid points of a solution are closer together about: 0 if they are equispaced
-        function pdn_solution_sharp_event_count(solution, out) bind(C, name="pdn_solution_sharp_event_count")
+        ! Number of events that the grid points of a solution are closer together about: 0 if they
+        ! are equispaced
+        function pdn_solution_sharp_event_count(solution, &
+            out) bind(C, name="pdn_solution_sharp_event_count")
             import
             type(c_ptr), value :: solution
             integer(c_size_t), intent(inout) :: out
             integer(c_int32_t) :: pdn_solution_sharp_event_count
         end function pdn_solution_sharp_event_count
 
-        ! Events that the grid points of a solution are closer together about, those of pdn_periodic_options or such ...
+        ! Events that the grid points of a solution are closer together about, those of
+        ! pdn_periodic_options or such as a solve to a tolerance has found
         function pdn_solution_sharp_events(solution, times, widths, shares, &
             count) bind(C, name="pdn_solution_sharp_events")
             import
@@ -2092,8 +2166,10 @@ module periodyn_c
             integer(c_int32_t) :: pdn_solution_sharp_events
         end function pdn_solution_sharp_events
 
-        ! Grid times t_k = k T / N, unless grid points are closer together about events; of a march the times of its ...
-        function pdn_solution_grid_times(solution, times, count) bind(C, name="pdn_solution_grid_times")
+        ! Grid times t_k = k T / N, unless grid points are closer together about events; of a
+        ! march the times of its steps, from the start
+        function pdn_solution_grid_times(solution, times, &
+            count) bind(C, name="pdn_solution_grid_times")
             import
             type(c_ptr), value :: solution
             real(c_double), intent(inout) :: times(*)
@@ -2127,7 +2203,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_solution_sample
         end function pdn_solution_sample
 
-        ! Fourier coefficients of a quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j] sin jwt
+        ! Fourier coefficients of a quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j]
+        ! sin jwt
         function pdn_solution_harmonics(solution, quantity, harmonics, mean, rate, cosines, &
             sines) bind(C, name="pdn_solution_harmonics")
             import
@@ -2154,7 +2231,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_solution_extremes
         end function pdn_solution_extremes
 
-        ! Adds the columns of a quantity of a solution, named by the label and the component; or that of one ...
+        ! Adds the columns of a quantity of a solution, named by the label and the component; or
+        ! that of one component, named by the label alone
         function pdn_table_add_quantity(table, solution, quantity, &
             label) bind(C, name="pdn_table_add_quantity")
             import
@@ -2166,7 +2244,8 @@ module periodyn_c
         end function pdn_table_add_quantity
 
         ! A copy of a solution whose quantities are seen through a spectral filter
-        function pdn_solution_filtered(solution, filter, order, out) bind(C, name="pdn_solution_filtered")
+        function pdn_solution_filtered(solution, filter, order, &
+            out) bind(C, name="pdn_solution_filtered")
             import
             type(c_ptr), value :: solution
             integer(c_int32_t), value :: filter
@@ -2176,14 +2255,16 @@ module periodyn_c
         end function pdn_solution_filtered
 
         ! Sets default options; use `PDN_INIT(pdn_periodic_options, &options)`
-        subroutine pdn_periodic_options_init(options, struct_size) bind(C, name="pdn_periodic_options_init")
+        subroutine pdn_periodic_options_init(options, &
+            struct_size) bind(C, name="pdn_periodic_options_init")
             import
             type(pdn_periodic_options), intent(inout) :: options
             integer(c_size_t), value :: struct_size
         end subroutine pdn_periodic_options_init
 
         ! Finds the periodic response of a model directly, by Fourier spectral collocation
-        function pdn_solve_periodic(model, period, options, out) bind(C, name="pdn_solve_periodic")
+        function pdn_solve_periodic(model, period, options, &
+            out) bind(C, name="pdn_solve_periodic")
             import
             type(c_ptr), value :: model
             real(c_double), value :: period
@@ -2193,21 +2274,24 @@ module periodyn_c
         end function pdn_solve_periodic
 
         ! Sets default options; use `PDN_INIT(pdn_equations_options, &options)`
-        subroutine pdn_equations_options_init(options, struct_size) bind(C, name="pdn_equations_options_init")
+        subroutine pdn_equations_options_init(options, &
+            struct_size) bind(C, name="pdn_equations_options_init")
             import
             type(pdn_equations_options), intent(inout) :: options
             integer(c_size_t), value :: struct_size
         end subroutine pdn_equations_options_init
 
         ! Sets `struct_size`; use `PDN_INIT(pdn_equations_sizes, &sizes)`
-        subroutine pdn_equations_sizes_init(sizes, struct_size) bind(C, name="pdn_equations_sizes_init")
+        subroutine pdn_equations_sizes_init(sizes, &
+            struct_size) bind(C, name="pdn_equations_sizes_init")
             import
             type(pdn_equations_sizes), intent(inout) :: sizes
             integer(c_size_t), value :: struct_size
         end subroutine pdn_equations_sizes_init
 
         ! Makes the equations of a periodic motion on a grid, or a rank's part
-        function pdn_equations_new(model, period, options, out) bind(C, name="pdn_equations_new")
+        function pdn_equations_new(model, period, options, &
+            out) bind(C, name="pdn_equations_new")
             import
             type(c_ptr), value :: model
             real(c_double), value :: period
@@ -2239,8 +2323,10 @@ module periodyn_c
             integer(c_int32_t) :: pdn_equations_nodes
         end function pdn_equations_nodes
 
-        ! Numbers of this rank's unknowns among those of all ranks: in the order that one rank alone has them in, from 0
-        function pdn_equations_numbers(equations, out, count) bind(C, name="pdn_equations_numbers")
+        ! Numbers of this rank's unknowns among those of all ranks: in the order that one rank
+        ! alone has them in, from 0
+        function pdn_equations_numbers(equations, out, &
+            count) bind(C, name="pdn_equations_numbers")
             import
             type(c_ptr), value :: equations
             integer(c_size_t), intent(inout) :: out(*)
@@ -2273,7 +2359,8 @@ module periodyn_c
         end function pdn_equations_set_state
 
         ! The scaled residual at the present state
-        function pdn_equations_residual(equations, out, count) bind(C, name="pdn_equations_residual")
+        function pdn_equations_residual(equations, out, &
+            count) bind(C, name="pdn_equations_residual")
             import
             type(c_ptr), value :: equations
             real(c_double), intent(inout) :: out(*)
@@ -2281,7 +2368,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_equations_residual
         end function pdn_equations_residual
 
-        ! Linearises the equations at the present state, which ::pdn_equations_update then begins at
+        ! Linearises the equations at the present state, which ::pdn_equations_update then begins
+        ! at
         function pdn_equations_linearise(equations) bind(C, name="pdn_equations_linearise")
             import
             type(c_ptr), value :: equations
@@ -2289,7 +2377,8 @@ module periodyn_c
         end function pdn_equations_linearise
 
         ! The product of the scaled Jacobian of the last linearisation and a vector
-        function pdn_equations_product(equations, x, out, count) bind(C, name="pdn_equations_product")
+        function pdn_equations_product(equations, x, out, &
+            count) bind(C, name="pdn_equations_product")
             import
             type(c_ptr), value :: equations
             real(c_double), intent(in) :: x(*)
@@ -2309,7 +2398,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_equations_transposed_product
         end function pdn_equations_transposed_product
 
-        ! The product of a vector and what multiplies a power of mu in the scaled Jacobian for disturbances exp(mu ...
+        ! The product of a vector and what multiplies a power of mu in the scaled Jacobian for
+        ! disturbances exp(mu t) times increments of the period: J(mu) = J + mu J1 + mu^2 J2
         function pdn_equations_power_product(equations, power, x, out, &
             count) bind(C, name="pdn_equations_power_product")
             import
@@ -2343,7 +2433,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_equations_precondition
         end function pdn_equations_precondition
 
-        ! What a scaled increment leaves of the constraints by their compliance in the Jacobian, where some depend ...
+        ! What a scaled increment leaves of the constraints by their compliance in the Jacobian,
+        ! where some depend on others
         function pdn_equations_compliance(equations, increment, out, count, &
             compliant) bind(C, name="pdn_equations_compliance")
             import
@@ -2355,8 +2446,10 @@ module periodyn_c
             integer(c_int32_t) :: pdn_equations_compliance
         end function pdn_equations_compliance
 
-        ! Moves the state that the equations were linearised at last by a fraction of a scaled increment; the ...
-        function pdn_equations_update(equations, increment, count, step) bind(C, name="pdn_equations_update")
+        ! Moves the state that the equations were linearised at last by a fraction of a scaled
+        ! increment; the present state is then that
+        function pdn_equations_update(equations, increment, count, &
+            step) bind(C, name="pdn_equations_update")
             import
             type(c_ptr), value :: equations
             real(c_double), intent(in) :: increment(*)
@@ -2377,8 +2470,10 @@ module periodyn_c
             integer(c_int32_t) :: pdn_equations_norms
         end function pdn_equations_norms
 
-        ! The present state of all ranks as a solution, for results, files, and what else solutions are for
-        function pdn_equations_solution(equations, root, outcome, out) bind(C, name="pdn_equations_solution")
+        ! The present state of all ranks as a solution, for results, files, and what else
+        ! solutions are for
+        function pdn_equations_solution(equations, root, outcome, &
+            out) bind(C, name="pdn_equations_solution")
             import
             type(c_ptr), value :: equations
             integer(c_int32_t), value :: root
@@ -2387,7 +2482,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_equations_solution
         end function pdn_equations_solution
 
-        ! Adds a parameter: a named number that moves what ::pdn_model_move_number and ::pdn_model_move_signal say
+        ! Adds a parameter: a named number that moves what ::pdn_model_move_number and
+        ! ::pdn_model_move_signal say
         function pdn_model_add_parameter(model, name, value, scale, &
             out) bind(C, name="pdn_model_add_parameter")
             import
@@ -2400,7 +2496,8 @@ module periodyn_c
         end function pdn_model_add_parameter
 
         ! Number of parameters; their ids follow each other from PDN_FIRST_PARAMETER on
-        function pdn_model_parameter_count(model, count) bind(C, name="pdn_model_parameter_count")
+        function pdn_model_parameter_count(model, &
+            count) bind(C, name="pdn_model_parameter_count")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), intent(inout) :: count
@@ -2408,7 +2505,8 @@ module periodyn_c
         end function pdn_model_parameter_count
 
         ! Value and scale of a parameter
-        function pdn_model_parameter(model, parameter, value, scale) bind(C, name="pdn_model_parameter")
+        function pdn_model_parameter(model, parameter, value, &
+            scale) bind(C, name="pdn_model_parameter")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), value :: parameter
@@ -2429,7 +2527,8 @@ module periodyn_c
         end function pdn_model_parameter_name
 
         ! The parameter that has a name
-        function pdn_model_find_parameter(model, name, parameter) bind(C, name="pdn_model_find_parameter")
+        function pdn_model_find_parameter(model, name, &
+            parameter) bind(C, name="pdn_model_find_parameter")
             import
             type(c_ptr), value :: model
             character(kind=c_char), intent(in) :: name(*)
@@ -2437,7 +2536,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_find_parameter
         end function pdn_model_find_parameter
 
-        ! Lets a parameter move a number of the model: it becomes `factor` times the parameter's value, now and ...
+        ! Lets a parameter move a number of the model: it becomes `factor` times the parameter's
+        ! value, now and whenever that changes
         function pdn_model_move_number(model, parameter, number, id, power, &
             factor) bind(C, name="pdn_model_move_number")
             import
@@ -2450,7 +2550,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_move_number
         end function pdn_model_move_number
 
-        ! Lets a parameter move a part of a signal: it becomes `factor` times the parameter's value, now and ...
+        ! Lets a parameter move a part of a signal: it becomes `factor` times the parameter's
+        ! value, now and whenever that changes
         function pdn_model_move_signal(model, parameter, place, id, component, part, &
             factor) bind(C, name="pdn_model_move_signal")
             import
@@ -2465,7 +2566,8 @@ module periodyn_c
         end function pdn_model_move_signal
 
         ! Gives a parameter another value, and all that it moves
-        function pdn_model_set_parameter(model, parameter, value) bind(C, name="pdn_model_set_parameter")
+        function pdn_model_set_parameter(model, parameter, &
+            value) bind(C, name="pdn_model_set_parameter")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), value :: parameter
@@ -2473,16 +2575,20 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_set_parameter
         end function pdn_model_set_parameter
 
-        ! Gives everything with mass a force against its motion relative to the inertial frame, `factor` times its ...
-        function pdn_model_set_mass_damping(model, factor) bind(C, name="pdn_model_set_mass_damping")
+        ! Gives everything with mass a force against its motion relative to the inertial frame,
+        ! `factor` times its momentum: damping in proportion to mass
+        function pdn_model_set_mass_damping(model, &
+            factor) bind(C, name="pdn_model_set_mass_damping")
             import
             type(c_ptr), value :: model
             real(c_double), value :: factor
             integer(c_int32_t) :: pdn_model_set_mass_damping
         end function pdn_model_set_mass_damping
 
-        ! Declares that the function of a force is one of the phase, 2 pi t / T, which it is then told in place of ...
-        function pdn_model_declare_of_phase(model, force) bind(C, name="pdn_model_declare_of_phase")
+        ! Declares that the function of a force is one of the phase, 2 pi t / T, which it is then
+        ! told in place of the time: it holds for any period T, as it must where that is unknown
+        function pdn_model_declare_of_phase(model, &
+            force) bind(C, name="pdn_model_declare_of_phase")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), value :: force
@@ -2490,7 +2596,8 @@ module periodyn_c
         end function pdn_model_declare_of_phase
 
         ! Value of a parameter in a solution: given, or found
-        function pdn_solution_parameter(solution, parameter, out) bind(C, name="pdn_solution_parameter")
+        function pdn_solution_parameter(solution, parameter, &
+            out) bind(C, name="pdn_solution_parameter")
             import
             type(c_ptr), value :: solution
             integer(c_int32_t), value :: parameter
@@ -2543,7 +2650,8 @@ module periodyn_c
         end function pdn_model_force_number
 
         ! A node of forces of the user
-        function pdn_model_force_node(model, force, index, node) bind(C, name="pdn_model_force_node")
+        function pdn_model_force_node(model, force, index, &
+            node) bind(C, name="pdn_model_force_node")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), value :: force
@@ -2585,7 +2693,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_beam_section
         end function pdn_model_beam_section
 
-        ! Number of inertias: bodies, masses and inertias on nodes; their ids follow each other from ...
+        ! Number of inertias: bodies, masses and inertias on nodes; their ids follow each other
+        ! from PDN_FIRST_INERTIA on
         function pdn_model_inertia_count(model, count) bind(C, name="pdn_model_inertia_count")
             import
             type(c_ptr), value :: model
@@ -2594,7 +2703,8 @@ module periodyn_c
         end function pdn_model_inertia_count
 
         ! The inertia of a body, or a mass or inertia on a node, with the factors of parameters
-        function pdn_model_inertia(model, inertia, node, matrix) bind(C, name="pdn_model_inertia")
+        function pdn_model_inertia(model, inertia, node, &
+            matrix) bind(C, name="pdn_model_inertia")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), value :: inertia
@@ -2612,7 +2722,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_inertia_of
         end function pdn_model_inertia_of
 
-        ! A prescribed coordinate; ::pdn_model_summary tells how many there are, whose ids follow each other from ...
+        ! A prescribed coordinate; ::pdn_model_summary tells how many there are, whose ids follow
+        ! each other from PDN_FIRST_PRESCRIBED on, and ::pdn_model_sample_signal what they follow
         function pdn_model_prescribed(model, prescribed, joint, &
             coordinate) bind(C, name="pdn_model_prescribed")
             import
@@ -2679,15 +2790,18 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_load_at
         end function pdn_model_load_at
 
-        ! Number of loads along beam elements; their ids follow each other from PDN_FIRST_BEAM_LOAD on
-        function pdn_model_beam_load_count(model, count) bind(C, name="pdn_model_beam_load_count")
+        ! Number of loads along beam elements; their ids follow each other from
+        ! PDN_FIRST_BEAM_LOAD on
+        function pdn_model_beam_load_count(model, &
+            count) bind(C, name="pdn_model_beam_load_count")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), intent(inout) :: count
             integer(c_int32_t) :: pdn_model_beam_load_count
         end function pdn_model_beam_load_count
 
-        ! A load along beam elements; its components are signals, ::pdn_model_sample_signal, times the factors of ...
+        ! A load along beam elements; its components are signals, ::pdn_model_sample_signal, times
+        ! the factors of ::pdn_model_beam_load_factor
         function pdn_model_beam_load(model, load, first_element, elements, frame, axis_2, &
             places) bind(C, name="pdn_model_beam_load")
             import
@@ -2713,8 +2827,10 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_beam_load_factor
         end function pdn_model_beam_load_factor
 
-        ! Number of loads on shell elements; their ids follow each other from PDN_FIRST_SHELL_LOAD on
-        function pdn_model_shell_load_count(model, count) bind(C, name="pdn_model_shell_load_count")
+        ! Number of loads on shell elements; their ids follow each other from PDN_FIRST_SHELL_LOAD
+        ! on
+        function pdn_model_shell_load_count(model, &
+            count) bind(C, name="pdn_model_shell_load_count")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), intent(inout) :: count
@@ -2748,21 +2864,24 @@ module periodyn_c
         end subroutine pdn_conditions_free
 
         ! Makes a parameter free: its value in the model is that to start from
-        function pdn_conditions_release(conditions, parameter) bind(C, name="pdn_conditions_release")
+        function pdn_conditions_release(conditions, &
+            parameter) bind(C, name="pdn_conditions_release")
             import
             type(c_ptr), value :: conditions
             integer(c_int32_t), value :: parameter
             integer(c_int32_t) :: pdn_conditions_release
         end function pdn_conditions_release
 
-        ! Adds the condition on the phase: the motion is not ahead of that which the solve starts from
+        ! Adds the condition on the phase: the motion is not ahead of that which the solve starts
+        ! from
         function pdn_conditions_add_phase(conditions) bind(C, name="pdn_conditions_add_phase")
             import
             type(c_ptr), value :: conditions
             integer(c_int32_t) :: pdn_conditions_add_phase
         end function pdn_conditions_add_phase
 
-        ! Adds the condition on the phase of a rotation: in the mean over the period and all nodes, the motion is ...
+        ! Adds the condition on the phase of a rotation: in the mean over the period and all
+        ! nodes, the motion is not turned about an axis from that which the solve starts from
         function pdn_conditions_add_rotation_phase(conditions, axis, &
             point) bind(C, name="pdn_conditions_add_rotation_phase")
             import
@@ -2772,7 +2891,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_conditions_add_rotation_phase
         end function pdn_conditions_add_rotation_phase
 
-        ! Adds the condition on the phase of a translation: in the mean over the period and all nodes, the motion is ...
+        ! Adds the condition on the phase of a translation: in the mean over the period and all
+        ! nodes, the motion is not moved in a direction from that which the solve starts from
         function pdn_conditions_add_translation_phase(conditions, &
             direction) bind(C, name="pdn_conditions_add_translation_phase")
             import
@@ -2781,7 +2901,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_conditions_add_translation_phase
         end function pdn_conditions_add_translation_phase
 
-        ! Adds the condition that the mean, a harmonic, or the value at a time, of a quantity is this: trim
+        ! Adds the condition that the mean, a harmonic, or the value at a time, of a quantity is
+        ! this: trim
         function pdn_conditions_add_quantity(conditions, quantity, feature, at, value, &
             scale) bind(C, name="pdn_conditions_add_quantity")
             import
@@ -2805,8 +2926,10 @@ module periodyn_c
             integer(c_int32_t) :: pdn_conditions_add_joint_coordinate
         end function pdn_conditions_add_joint_coordinate
 
-        ! Adds the condition that the mean of the kinetic and the potential energy over the period is a value
-        function pdn_conditions_add_energy(conditions, energy) bind(C, name="pdn_conditions_add_energy")
+        ! Adds the condition that the mean of the kinetic and the potential energy over the period
+        ! is a value
+        function pdn_conditions_add_energy(conditions, &
+            energy) bind(C, name="pdn_conditions_add_energy")
             import
             type(c_ptr), value :: conditions
             real(c_double), value :: energy
@@ -2834,7 +2957,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_conditions_add_angular_momentum
         end function pdn_conditions_add_angular_momentum
 
-        ! Finds a periodic response that meets conditions, and the values of as many free parameters
+        ! Finds a periodic response that meets conditions, and the values of as many free
+        ! parameters
         function pdn_solve_conditioned(model, period, conditions, options, &
             out) bind(C, name="pdn_solve_conditioned")
             import
@@ -2897,8 +3021,8 @@ module periodyn_c
         end function pdn_sensitivities_add_parameter
 
         ! Derivatives of what comes out of a periodic solution by parameters of its model
-        function pdn_solution_sensitivities(solution, sensitivities, conditions, options, derivatives, &
-            dependents, parameters) bind(C, name="pdn_solution_sensitivities")
+        function pdn_solution_sensitivities(solution, sensitivities, conditions, options, &
+            derivatives, dependents, parameters) bind(C, name="pdn_solution_sensitivities")
             import
             type(c_ptr), value :: solution
             type(c_ptr), value :: sensitivities
@@ -2911,8 +3035,9 @@ module periodyn_c
         end function pdn_solution_sensitivities
 
         ! Derivatives of a Floquet multiplier of a periodic solution by parameters of its model
-        function pdn_solution_multiplier_sensitivities(solution, sensitivities, stability, number, &
-            conditions, options, re, im, parameters) bind(C, name="pdn_solution_multiplier_sensitivities")
+        function pdn_solution_multiplier_sensitivities(solution, sensitivities, stability, &
+            number, conditions, options, re, im, &
+            parameters) bind(C, name="pdn_solution_multiplier_sensitivities")
             import
             type(c_ptr), value :: solution
             type(c_ptr), value :: sensitivities
@@ -2927,21 +3052,25 @@ module periodyn_c
         end function pdn_solution_multiplier_sensitivities
 
         ! Sets a point to that of nothing; use `PDN_INIT(pdn_branch_point, &point)`
-        subroutine pdn_branch_point_init(point, struct_size) bind(C, name="pdn_branch_point_init")
+        subroutine pdn_branch_point_init(point, &
+            struct_size) bind(C, name="pdn_branch_point_init")
             import
             type(pdn_branch_point), intent(inout) :: point
             integer(c_size_t), value :: struct_size
         end subroutine pdn_branch_point_init
 
         ! Sets default options; use `PDN_INIT(pdn_branch_options, &options)`
-        subroutine pdn_branch_options_init(options, struct_size) bind(C, name="pdn_branch_options_init")
+        subroutine pdn_branch_options_init(options, &
+            struct_size) bind(C, name="pdn_branch_options_init")
             import
             type(pdn_branch_options), intent(inout) :: options
             integer(c_size_t), value :: struct_size
         end subroutine pdn_branch_options_init
 
-        ! Follows periodic motions along a parameter, through folds, from the response at its value in the model
-        function pdn_follow_branch(model, period, parameter, options, out) bind(C, name="pdn_follow_branch")
+        ! Follows periodic motions along a parameter, through folds, from the response at its
+        ! value in the model
+        function pdn_follow_branch(model, period, parameter, options, &
+            out) bind(C, name="pdn_follow_branch")
             import
             type(c_ptr), value :: model
             real(c_double), value :: period
@@ -2951,7 +3080,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_follow_branch
         end function pdn_follow_branch
 
-        ! Finds the response over a range of frequencies, through folds: ::pdn_follow_branch along PDN_FREQUENCY
+        ! Finds the response over a range of frequencies, through folds: ::pdn_follow_branch along
+        ! PDN_FREQUENCY
         function pdn_solve_frequency_response(model, first, last, options, &
             out) bind(C, name="pdn_solve_frequency_response")
             import
@@ -2963,8 +3093,11 @@ module periodyn_c
             integer(c_int32_t) :: pdn_solve_frequency_response
         end function pdn_solve_frequency_response
 
-        ! Follows the other branch at a point where one begins: a branch point, or a period doubling, from where ...
-        function pdn_switch_branch(branch, point, amplitude, options, out) bind(C, name="pdn_switch_branch")
+        ! Follows the other branch at a point where one begins: a branch point, or a period
+        ! doubling, from where motions have twice the period, on one grid point less than twice as
+        ! many
+        function pdn_switch_branch(branch, point, amplitude, options, &
+            out) bind(C, name="pdn_switch_branch")
             import
             type(c_ptr), value :: branch
             integer(c_int32_t), value :: point
@@ -2974,8 +3107,10 @@ module periodyn_c
             integer(c_int32_t) :: pdn_switch_branch
         end function pdn_switch_branch
 
-        ! Follows folds, period doublings or torus points along a second parameter, from one of them on a branch: ...
-        function pdn_follow_locus(branch, point, parameter, options, out) bind(C, name="pdn_follow_locus")
+        ! Follows folds, period doublings or torus points along a second parameter, from one of
+        ! them on a branch: that of the branch is free beside it
+        function pdn_follow_locus(branch, point, parameter, options, &
+            out) bind(C, name="pdn_follow_locus")
             import
             type(c_ptr), value :: branch
             integer(c_int32_t), value :: point
@@ -2985,7 +3120,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_follow_locus
         end function pdn_follow_locus
 
-        ! Follows a branch on from its last point, in the direction in which it came there: with a wider range, more ...
+        ! Follows a branch on from its last point, in the direction in which it came there: with a
+        ! wider range, more points, a shorter smallest step
         function pdn_continue_branch(branch, options, out) bind(C, name="pdn_continue_branch")
             import
             type(c_ptr), value :: branch
@@ -3058,8 +3194,12 @@ module periodyn_c
             integer(c_int32_t) :: pdn_branch_solution
         end function pdn_branch_solution
 
-        ! Writes a branch as CSV: a line for each point, with the parameter, how the step went, what happens there, ...
-        function pdn_branch_write_csv(branch, quantities, count, path) bind(C, name="pdn_branch_write_csv")
+        ! Writes a branch as CSV: a line for each point, with the parameter, how the step went,
+        ! what happens there, what multipliers say if they were wanted
+        ! (`pdn_branch_options.stability`) and, of each component of quantities, the mean, the
+        ! size of the first harmonic, the least and the largest value over the period
+        function pdn_branch_write_csv(branch, quantities, count, &
+            path) bind(C, name="pdn_branch_write_csv")
             import
             type(c_ptr), value :: branch
             type(pdn_quantity), intent(in), optional :: quantities(*)
@@ -3068,7 +3208,9 @@ module periodyn_c
             integer(c_int32_t) :: pdn_branch_write_csv
         end function pdn_branch_write_csv
 
-        ! Writes a chart of the exponents of small disturbances along a branch as CSV, as of Campbell: of each point ...
+        ! Writes a chart of the exponents of small disturbances along a branch as CSV, as of
+        ! Campbell: of each point that is no event a line for each multiplier, but for conjugates
+        ! and for those that only move the motion in time or space
         function pdn_branch_write_campbell(branch, options, blades, count, &
             path) bind(C, name="pdn_branch_write_campbell")
             import
@@ -3081,7 +3223,8 @@ module periodyn_c
         end function pdn_branch_write_campbell
 
         ! Sets default options; use `PDN_INIT(pdn_static_options, &options)`
-        subroutine pdn_static_options_init(options, struct_size) bind(C, name="pdn_static_options_init")
+        subroutine pdn_static_options_init(options, &
+            struct_size) bind(C, name="pdn_static_options_init")
             import
             type(pdn_static_options), intent(inout) :: options
             integer(c_size_t), value :: struct_size
@@ -3097,7 +3240,8 @@ module periodyn_c
         end function pdn_solve_static
 
         ! Sets default options; use `PDN_INIT(pdn_modes_options, &options)`
-        subroutine pdn_modes_options_init(options, struct_size) bind(C, name="pdn_modes_options_init")
+        subroutine pdn_modes_options_init(options, &
+            struct_size) bind(C, name="pdn_modes_options_init")
             import
             type(pdn_modes_options), intent(inout) :: options
             integer(c_size_t), value :: struct_size
@@ -3160,7 +3304,8 @@ module periodyn_c
         end function pdn_modes_get
 
         ! Shape x of a mode at some nodes
-        function pdn_modes_shape(modes, mode, nodes, count, real, imaginary) bind(C, name="pdn_modes_shape")
+        function pdn_modes_shape(modes, mode, nodes, count, real, &
+            imaginary) bind(C, name="pdn_modes_shape")
             import
             type(c_ptr), value :: modes
             integer(c_int32_t), value :: mode
@@ -3190,7 +3335,8 @@ module periodyn_c
         end function pdn_modes_equilibrium
 
         ! Sets default options; use `PDN_INIT(pdn_march_options, &options)`
-        subroutine pdn_march_options_init(options, struct_size) bind(C, name="pdn_march_options_init")
+        subroutine pdn_march_options_init(options, &
+            struct_size) bind(C, name="pdn_march_options_init")
             import
             type(pdn_march_options), intent(inout) :: options
             integer(c_size_t), value :: struct_size
@@ -3205,7 +3351,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_march
         end function pdn_march
 
-        ! Prepares a struct for ::pdn_solution_march; use `PDN_INIT(pdn_march_diagnostics, &diagnostics)`
+        ! Prepares a struct for ::pdn_solution_march; use `PDN_INIT(pdn_march_diagnostics,
+        ! &diagnostics)`
         subroutine pdn_march_diagnostics_init(diagnostics, &
             struct_size) bind(C, name="pdn_march_diagnostics_init")
             import
@@ -3213,7 +3360,8 @@ module periodyn_c
             integer(c_size_t), value :: struct_size
         end subroutine pdn_march_diagnostics_init
 
-        ! Figures of a march: steps, periods, how much the last of them differ, how much the start was changed
+        ! Figures of a march: steps, periods, how much the last of them differ, how much the start
+        ! was changed
         function pdn_solution_march(solution, out) bind(C, name="pdn_solution_march")
             import
             type(c_ptr), value :: solution
@@ -3222,14 +3370,17 @@ module periodyn_c
         end function pdn_solution_march
 
         ! Sets default options; use `PDN_INIT(pdn_shooting_options, &options)`
-        subroutine pdn_shooting_options_init(options, struct_size) bind(C, name="pdn_shooting_options_init")
+        subroutine pdn_shooting_options_init(options, &
+            struct_size) bind(C, name="pdn_shooting_options_init")
             import
             type(pdn_shooting_options), intent(inout) :: options
             integer(c_size_t), value :: struct_size
         end subroutine pdn_shooting_options_init
 
-        ! Finds the periodic response of a model by shooting: Newton's method on the period map of ::pdn_march
-        function pdn_solve_shooting(model, period, options, out) bind(C, name="pdn_solve_shooting")
+        ! Finds the periodic response of a model by shooting: Newton's method on the period map of
+        ! ::pdn_march
+        function pdn_solve_shooting(model, period, options, &
+            out) bind(C, name="pdn_solve_shooting")
             import
             type(c_ptr), value :: model
             real(c_double), value :: period
@@ -3238,16 +3389,21 @@ module periodyn_c
             integer(c_int32_t) :: pdn_solve_shooting
         end function pdn_solve_shooting
 
-        ! Number of Floquet multipliers of a solution: as many as the system has states, if ::pdn_solve_shooting ...
-        function pdn_solution_floquet_count(solution, out) bind(C, name="pdn_solution_floquet_count")
+        ! Number of Floquet multipliers of a solution: as many as the system has states, if
+        ! ::pdn_solve_shooting found them; of a periodic solution as many as ::pdn_solve_stability
+        ! finds, which is called with default options unless it has been before
+        function pdn_solution_floquet_count(solution, &
+            out) bind(C, name="pdn_solution_floquet_count")
             import
             type(c_ptr), value :: solution
             integer(c_size_t), intent(inout) :: out
             integer(c_int32_t) :: pdn_solution_floquet_count
         end function pdn_solution_floquet_count
 
-        ! Floquet multipliers: what disturbances of the motion are multiplied by in a period, the largest first
-        function pdn_solution_floquet(solution, real, imaginary, count) bind(C, name="pdn_solution_floquet")
+        ! Floquet multipliers: what disturbances of the motion are multiplied by in a period, the
+        ! largest first
+        function pdn_solution_floquet(solution, real, imaginary, &
+            count) bind(C, name="pdn_solution_floquet")
             import
             type(c_ptr), value :: solution
             real(c_double), intent(inout) :: real(*)
@@ -3257,13 +3413,15 @@ module periodyn_c
         end function pdn_solution_floquet
 
         ! Sets default options; use `PDN_INIT(pdn_stability_options, &options)`
-        subroutine pdn_stability_options_init(options, struct_size) bind(C, name="pdn_stability_options_init")
+        subroutine pdn_stability_options_init(options, &
+            struct_size) bind(C, name="pdn_stability_options_init")
             import
             type(pdn_stability_options), intent(inout) :: options
             integer(c_size_t), value :: struct_size
         end subroutine pdn_stability_options_init
 
-        ! Finds the Floquet multipliers of a periodic solution: what small disturbances are multiplied by in a period
+        ! Finds the Floquet multipliers of a periodic solution: what small disturbances are
+        ! multiplied by in a period
         function pdn_solve_stability(solution, options, out) bind(C, name="pdn_solve_stability")
             import
             type(c_ptr), value :: solution
@@ -3295,7 +3453,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_stability_verdict
         end function pdn_stability_verdict
 
-        ! Number of multipliers that are known, and of those that the system has, one for each state
+        ! Number of multipliers that are known, and of those that the system has, one for each
+        ! state
         function pdn_stability_count(stability, out, states) bind(C, name="pdn_stability_count")
             import
             type(c_ptr), value :: stability
@@ -3305,7 +3464,8 @@ module periodyn_c
         end function pdn_stability_count
 
         ! Prepares a struct for ::pdn_stability_get; use `PDN_INIT(pdn_multiplier, &multiplier)`
-        subroutine pdn_multiplier_init(multiplier, struct_size) bind(C, name="pdn_multiplier_init")
+        subroutine pdn_multiplier_init(multiplier, &
+            struct_size) bind(C, name="pdn_multiplier_init")
             import
             type(pdn_multiplier), intent(inout) :: multiplier
             integer(c_size_t), value :: struct_size
@@ -3320,8 +3480,10 @@ module periodyn_c
             integer(c_int32_t) :: pdn_stability_get
         end function pdn_stability_get
 
-        ! Times of the shapes of modes: ends of equal steps over the period, the last is the period
-        function pdn_stability_times(stability, times, count, steps) bind(C, name="pdn_stability_times")
+        ! Times of the shapes of modes: ends of equal steps over the period, the last is the
+        ! period
+        function pdn_stability_times(stability, times, count, &
+            steps) bind(C, name="pdn_stability_times")
             import
             type(c_ptr), value :: stability
             real(c_double), intent(inout), optional :: times(*)
@@ -3344,7 +3506,8 @@ module periodyn_c
         end function pdn_stability_shape
 
         ! A readable report: the verdict, how far it holds, and a table of the multipliers
-        function pdn_stability_report(stability, buffer, capacity) bind(C, name="pdn_stability_report")
+        function pdn_stability_report(stability, buffer, &
+            capacity) bind(C, name="pdn_stability_report")
             import
             type(c_ptr), value :: stability
             character(kind=c_char), intent(inout), optional :: buffer(*)
@@ -3353,8 +3516,8 @@ module periodyn_c
         end function pdn_stability_report
 
         ! Interpolates a periodic motion given at N equispaced times, by dual polar decomposition
-        function pdn_motion_interpolate(period, positions, rotations, points, times, count, position, &
-            rotation, velocity, acceleration) bind(C, name="pdn_motion_interpolate")
+        function pdn_motion_interpolate(period, positions, rotations, points, times, count, &
+            position, rotation, velocity, acceleration) bind(C, name="pdn_motion_interpolate")
             import
             real(c_double), value :: period
             real(c_double), intent(in) :: positions(*)
@@ -3369,9 +3532,11 @@ module periodyn_c
             integer(c_int32_t) :: pdn_motion_interpolate
         end function pdn_motion_interpolate
 
-        ! Velocities and accelerations of a motion at its own grid points, and their exact linearisation
-        function pdn_motion_grid_kinematics(period, positions, rotations, points, velocity, acceleration, &
-            velocity_tangent, acceleration_tangent) bind(C, name="pdn_motion_grid_kinematics")
+        ! Velocities and accelerations of a motion at its own grid points, and their exact
+        ! linearisation
+        function pdn_motion_grid_kinematics(period, positions, rotations, points, velocity, &
+            acceleration, velocity_tangent, &
+            acceleration_tangent) bind(C, name="pdn_motion_grid_kinematics")
             import
             real(c_double), value :: period
             real(c_double), intent(in) :: positions(*)
@@ -3399,7 +3564,10 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_summary
         end function pdn_model_summary
 
-        ! The same in readable lines, with warnings: parts that nothing connects or holds, ends of beams without a ...
+        ! The same in readable lines, with warnings: parts that nothing connects or holds, ends of
+        ! beams without a joint, nodes without inertia, joints open in the reference configuration
+        ! or far from all else, impossible moments of inertia, sizes, masses and stiffnesses that
+        ! do not fit each other
         function pdn_model_describe(model, buffer, capacity) bind(C, name="pdn_model_describe")
             import
             type(c_ptr), value :: model
@@ -3424,7 +3592,8 @@ module periodyn_c
         end subroutine pdn_table_free
 
         ! Adds a column of values of your own, such as one computed from several quantities
-        function pdn_table_add_values(table, label, values, count) bind(C, name="pdn_table_add_values")
+        function pdn_table_add_values(table, label, values, &
+            count) bind(C, name="pdn_table_add_values")
             import
             type(c_ptr), value :: table
             character(kind=c_char), intent(in) :: label(*)
@@ -3441,7 +3610,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_table_write_csv
         end function pdn_table_write_csv
 
-        ! Writes an animation of a solution that ParaView opens: VTK's XML files, and a list of them
+        ! Writes an animation of a solution that ParaView opens: VTK's XML files, and a list of
+        ! them
         function pdn_solution_write_vtk(solution, times, count, points_per_element, &
             path) bind(C, name="pdn_solution_write_vtk")
             import
@@ -3461,7 +3631,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_solution_save
         end function pdn_solution_save
 
-        ! Loads a solution that ::pdn_solution_save saved: its quantities, diagnostics and report are what they were
+        ! Loads a solution that ::pdn_solution_save saved: its quantities, diagnostics and report
+        ! are what they were
         function pdn_solution_load(path, out) bind(C, name="pdn_solution_load")
             import
             character(kind=c_char), intent(in) :: path(*)
@@ -3502,38 +3673,37 @@ module periodyn_c
         end function pdn_model_load
     end interface
 end module periodyn_c
-! END OF WHAT script/fortran_interface WRITES
 
 module periodyn
-    use periodyn_c, &
-        c_signal => pdn_signal, &
-        c_version => pdn_version, &
-        c_build_info => pdn_build_info, &
-        c_status_name => pdn_status_name, &
-        c_status_message => pdn_status_message, &
-        c_last_error => pdn_last_error, &
-        c_set_last_error => pdn_set_last_error, &
+    use periodyn_c, c_signal => pdn_signal, c_version => pdn_version, &
+        c_version_check => pdn_version_check, c_build_info => pdn_build_info, &
+        c_status_name => pdn_status_name, c_status_message => pdn_status_message, &
+        c_last_error => pdn_last_error, c_set_last_error => pdn_set_last_error, &
         c_set_callback_error => pdn_set_callback_error, &
+        c_section_set_component_damping => pdn_section_set_component_damping, &
+        c_section_set_proportional_damping => pdn_section_set_proportional_damping, &
+        c_shell_section_set_proportional_damping => pdn_shell_section_set_proportional_damping, &
         c_motion_interpolate => pdn_motion_interpolate, &
         c_motion_grid_kinematics => pdn_motion_grid_kinematics
     use, intrinsic :: iso_fortran_env, only: error_unit
     implicit none
     public
-    private :: report, refuse, fits, of_quantity, count_of, joined, text_at, c_text, choose, error_unit
+    private :: report, refuse, fits, nodes_of, raw_of, text_at, error_unit
 
-    ! In every procedure: without stat, a failure ends the program with the message. With it, stat is 0 or the
-    ! negative status (PDN_ERR_VALUE, ...), and errmsg, blank-padded, tells which argument was wrong, what was
-    ! expected and what came; other outputs are then left as they are. Not converging is no failure, but an
-    ! outcome of the solution.
+    ! In every procedure: without stat, a failure ends the program with the message. With it, stat
+    ! is 0 or the negative status (PDN_ERR_VALUE, ...), and errmsg, blank-padded, tells which
+    ! argument was wrong, what was expected and what came; other outputs are then left as they are.
+    ! Not converging is no failure, but an outcome of the solution.
     !
     ! Ids and counts are integer(c_int32_t), which is the default integer.
 
-    ! A handle with shared ownership: an assignment makes a second name for the same object, which is freed
-    ! when its last variable goes. (Variables of the main program never go; call free, or use a block.)
+    ! A handle with shared ownership: an assignment makes a second name for the same object, which
+    ! is freed when its last variable goes. (Variables of the main program never go; call free, or
+    ! use a block.)
     type :: pdn_handle
         type(c_ptr), private :: c = c_null_ptr
         integer, pointer, private :: owners => null()
-        procedure(pdn_free_fn), pointer, nopass, private :: release_with => null()
+        procedure(pdn_destroy_fn), pointer, nopass, private :: release_with => null()
     contains
         procedure, public :: free => handle_free
         procedure, public :: handle => handle_raw
@@ -3543,225 +3713,22 @@ module periodyn
         final :: handle_finalise
     end type pdn_handle
 
-    abstract interface
-        subroutine pdn_free_fn(handle) bind(C)
-            import
-            type(c_ptr), value :: handle
-        end subroutine pdn_free_fn
-    end interface
-
-    ! A function of time, from pdn_constant, pdn_harmonics, pdn_samples or pdn_function.
+    ! A function of time, from pdn_constant_signal, pdn_harmonics_signal, ..., with the numbers that
+    ! it was given.
     type :: pdn_signal
         private
-        integer(c_int32_t) :: kind = PDN_SIGNAL_HARMONICS
-        real(c_double) :: mean = 0
-        real(c_double) :: rate = 0
-        real(c_double), allocatable :: cosines(:)
-        real(c_double), allocatable :: sines(:)
-        type(c_funptr) :: function = c_null_funptr
-        type(c_ptr) :: user_data = c_null_ptr
-    contains
-        procedure, private :: pass => signal_pass
+        type(c_signal) :: raw
+        real(c_double), allocatable :: cosines(:), sines(:), samples(:)
     end type pdn_signal
 
-    ! A solution, converged or not; quantities at any times.
-    type, extends(pdn_handle) :: pdn_solution
-    contains
-        procedure, public :: converged => solution_converged
-        procedure, public :: report => solution_report
-        procedure, public :: outcome => solution_outcome
-        procedure, public :: diagnostics => solution_diagnostics
-        procedure, public :: march => solution_march
-        procedure, public :: floquet => solution_floquet
-        procedure, public :: solve_stability => solution_solve_stability
-        procedure, public :: sensitivities => solution_sensitivities
-        procedure, public :: multiplier_sensitivities => solution_multiplier_sensitivities
-        procedure, public :: parameter => solution_parameter
-        procedure, public :: history => solution_history
-        procedure, public :: decay => solution_decay
-        procedure, public :: filtered => solution_filtered
-        procedure, public :: sharp_events => solution_sharp_events
-        procedure, public :: grid_times => solution_grid_times
-        procedure, private :: solution_sample, solution_sample_line
-        generic, public :: sample => solution_sample, solution_sample_line
-        procedure, public :: harmonics => solution_harmonics
-        procedure, public :: extremes => solution_extremes
-        procedure, public :: write_vtk => solution_write_vtk
-        procedure, public :: save => solution_save
-        procedure, public :: load => solution_load
-        procedure, public :: model => solution_model
-    end type pdn_solution
-
-    ! A mechanism, described in its reference configuration. Procedures that add give ids, if they are wanted.
-    type, extends(pdn_handle) :: pdn_model
-    contains
-        procedure, public :: new => model_new
-        procedure, public :: node_count => model_node_count
-        procedure, public :: joint_count => model_joint_count
-        procedure, public :: element_count => model_element_count
-        procedure, public :: force_count => model_force_count
-        procedure, public :: relation_count => model_relation_count
-        procedure, public :: add_relation => model_add_relation
-        procedure, public :: add_bushing => model_add_bushing
-        procedure, public :: set_label => model_set_label
-        procedure, public :: label => model_label
-        procedure, public :: find_label => model_find_label
-        procedure, public :: joint => model_joint
-        procedure, public :: force => model_force
-        procedure, public :: force_number => model_force_number
-        procedure, public :: force_node => model_force_node
-        procedure, public :: beam_element_node_count => model_beam_element_node_count
-        procedure, public :: beam_element_node => model_beam_element_node
-        procedure, public :: beam_section => model_beam_section
-        procedure, public :: inertia_count => model_inertia_count
-        procedure, public :: inertia => model_inertia
-        procedure, public :: inertia_of => model_inertia_of
-        procedure, public :: prescribed => model_prescribed
-        procedure, public :: load_count => model_load_count
-        procedure, public :: load_at => model_load_at
-        procedure, public :: beam_load_count => model_beam_load_count
-        procedure, public :: beam_load => model_beam_load
-        procedure, public :: beam_load_factor => model_beam_load_factor
-        procedure, public :: shell_load_count => model_shell_load_count
-        procedure, public :: shell_load => model_shell_load
-        procedure, public :: parameter_count => model_parameter_count
-        procedure, public :: parameter => model_parameter
-        procedure, public :: parameter_name => model_parameter_name
-        procedure, public :: find_parameter => model_find_parameter
-        procedure, public :: relation_term_count => model_relation_term_count
-        procedure, public :: relation_term => model_relation_term
-        procedure, public :: sample_signal => model_sample_signal
-        procedure, public :: mass => model_mass
-        procedure, public :: node_frame => model_node_frame
-        procedure, public :: summary => model_summary
-        procedure, public :: describe => model_describe
-        procedure, public :: copy => model_copy
-        procedure, public :: save => model_save
-        procedure, public :: load => model_load
-        procedure, public :: add_node => model_add_node
-        procedure, public :: add_rigid_body => model_add_rigid_body
-        procedure, public :: add_mass => model_add_mass
-        procedure, public :: add_inertia => model_add_inertia
-        procedure, public :: add_rigid_joint => model_add_rigid_joint
-        procedure, public :: add_revolute => model_add_revolute
-        procedure, public :: add_prismatic => model_add_prismatic
-        procedure, public :: add_cylindrical => model_add_cylindrical
-        procedure, public :: add_screw => model_add_screw
-        procedure, public :: add_planar => model_add_planar
-        procedure, public :: add_spherical => model_add_spherical
-        procedure, public :: add_universal => model_add_universal
-        procedure, public :: add_free_joint => model_add_free_joint
-        procedure, public :: add_strut => model_add_strut
-        procedure, public :: add_joint => model_add_joint
-        procedure, public :: add_screw_between => model_add_screw_between
-        procedure, public :: prescribe => model_prescribe
-        procedure, public :: add_beam_element => model_add_beam_element
-        procedure, public :: add_straight_beam => model_add_straight_beam
-        procedure, public :: add_beam => model_add_beam
-        procedure, public :: add_beam_between => model_add_beam_between
-        procedure, public :: add_shell_element => model_add_shell_element
-        procedure, public :: add_shell => model_add_shell
-        procedure, public :: add_shell_grid => model_add_shell_grid
-        procedure, public :: add_shell_quadrilaterals => model_add_shell_quadrilaterals
-        procedure, public :: shell_patch_node => model_shell_patch_node
-        procedure, public :: shell_node => model_shell_node
-        procedure, public :: shell_element_count => model_shell_element_count
-        procedure, public :: add_shell_load => model_add_shell_load
-        procedure, public :: set_shell_prestress => model_set_shell_prestress
-        procedure, public :: add_rigid_joints => model_add_rigid_joints
-        procedure, public :: add_rigid_edge => model_add_rigid_edge
-        procedure, public :: add_load => model_add_load
-        procedure, public :: add_distributed_load => model_add_distributed_load
-        procedure, public :: add_load_at_places => model_add_load_at_places
-        procedure, public :: set_turning_frame => model_set_turning_frame
-        procedure, public :: turning_frame => model_turning_frame
-        procedure, public :: set_rotor_symmetry => model_set_rotor_symmetry
-        procedure, public :: rotor_symmetry => model_rotor_symmetry
-        procedure, public :: rotor_node => model_rotor_node
-        procedure, public :: set_gravity => model_set_gravity
-        procedure, public :: set_gravity_signals => model_set_gravity_signals
-        procedure, public :: add_spring_damper => model_add_spring_damper
-        procedure, public :: add_nonlinear_spring_damper => model_add_nonlinear_spring_damper
-        procedure, public :: add_actuator => model_add_actuator
-        procedure, public :: add_viscoelastic => model_add_viscoelastic
-        procedure, public :: add_viscous_damper => model_add_viscous_damper
-        procedure, public :: add_coordinate_law => model_add_coordinate_law
-        procedure, public :: add_user_force => model_add_user_force
-        procedure, public :: add_controller => model_add_controller
-        procedure, public :: bind_controller => model_bind_controller
-        procedure, public :: controller_counts => model_controller_counts
-        procedure, public :: controller_coordinate => model_controller_coordinate
-        procedure, public :: controller_state => model_controller_state
-        procedure, public :: add_surface_force => model_add_surface_force
-        procedure, public :: check_tangents => model_check_tangents
-        procedure, public :: add_parameter => model_add_parameter
-        procedure, public :: set_parameter => model_set_parameter
-        procedure, public :: move_number => model_move_number
-        procedure, public :: move_signal => model_move_signal
-        procedure, public :: set_mass_damping => model_set_mass_damping
-        procedure, public :: declare_of_phase => model_declare_of_phase
-        procedure, public :: solve_periodic => model_solve_periodic
-        procedure, public :: solve_conditioned => model_solve_conditioned
-        procedure, public :: follow_branch => model_follow_branch
-        procedure, public :: solve_frequency_response => model_solve_frequency_response
-        procedure, public :: solve_static => model_solve_static
-        procedure, public :: march => model_march
-        procedure, public :: solve_shooting => model_solve_shooting
-        procedure, public :: solve_modes => model_solve_modes
-    end type pdn_model
-
-    ! Natural modes and damped eigenvalues about an equilibrium, counted from 0.
-    type, extends(pdn_handle) :: pdn_modes
-    contains
-        procedure, public :: converged => modes_converged
-        procedure, public :: report => modes_report
-        procedure, public :: outcome => modes_outcome
-        procedure, public :: count => modes_count
-        procedure, public :: get => modes_get
-        procedure, public :: shape => modes_shape
-        procedure, public :: motion => modes_motion
-        procedure, public :: equilibrium => modes_equilibrium
-    end type pdn_modes
-
-    ! Floquet multipliers of a periodic solution, the largest first, counted from 0.
-    type, extends(pdn_handle) :: pdn_stability
-    contains
-        procedure, public :: report => stability_report
-        procedure, public :: outcome => stability_outcome
-        procedure, public :: verdict => stability_verdict
-        procedure, public :: count => stability_count
-        procedure, public :: get => stability_get
-        procedure, public :: times => stability_times
-        procedure, public :: shape => stability_shape
-    end type pdn_stability
-
-    ! Free parameters, and as many conditions that determine them.
-    type, extends(pdn_handle) :: pdn_conditions
-    contains
-        procedure, public :: new => conditions_new
-        procedure, public :: release => conditions_release
-        procedure, public :: add_phase => conditions_add_phase
-        procedure, public :: add_rotation_phase => conditions_add_rotation_phase
-        procedure, public :: add_translation_phase => conditions_add_translation_phase
-        procedure, public :: add_joint_coordinate => conditions_add_joint_coordinate
-        procedure, public :: add_energy => conditions_add_energy
-        procedure, public :: add_momentum => conditions_add_momentum
-        procedure, public :: add_angular_momentum => conditions_add_angular_momentum
-        procedure, public :: add_quantity => conditions_add_quantity
-    end type pdn_conditions
-
-    ! What is differentiated, by what.
-    type, extends(pdn_handle) :: pdn_sensitivities
-    contains
-        procedure, public :: new => sensitivities_new
-        procedure, public :: add_quantity => sensitivities_add_quantity
-        procedure, public :: add_found => sensitivities_add_found
-        procedure, public :: add_parameter => sensitivities_add_parameter
-    end type pdn_sensitivities
-
-    ! Periodic motions along a parameter; points are counted from 0.
+    ! Periodic motions along a parameter.
     type, extends(pdn_handle) :: pdn_branch
     contains
+        procedure, public :: switch_branch => branch_switch_branch
+        procedure, public :: follow_locus => branch_follow_locus
+        procedure, public :: continue_branch => branch_continue_branch
+        procedure, public :: save => branch_save
+        procedure, public :: load => branch_load
         procedure, public :: end => branch_end
         procedure, public :: report => branch_report
         procedure, public :: count => branch_count
@@ -3769,18 +3736,28 @@ module periodyn
         procedure, public :: solution => branch_solution
         procedure, public :: write_csv => branch_write_csv
         procedure, public :: write_campbell => branch_write_campbell
-        procedure, public :: switch => branch_switch
-        procedure, public :: follow_locus => branch_follow_locus
-        procedure, public :: continue => branch_continue
-        procedure, public :: save => branch_save
-        procedure, public :: load => branch_load
     end type pdn_branch
 
-    ! The equations of a periodic motion below the solve, for solvers of one's own; see pdn_equations of periodyn.h.
+    ! Free parameters, and as many conditions.
+    type, extends(pdn_handle) :: pdn_conditions
+    contains
+        procedure, public :: new => conditions_new
+        procedure, public :: release => conditions_release
+        procedure, public :: add_phase => conditions_add_phase
+        procedure, public :: add_rotation_phase => conditions_add_rotation_phase
+        procedure, public :: add_translation_phase => conditions_add_translation_phase
+        procedure, public :: add_quantity => conditions_add_quantity
+        procedure, public :: add_joint_coordinate => conditions_add_joint_coordinate
+        procedure, public :: add_energy => conditions_add_energy
+        procedure, public :: add_momentum => conditions_add_momentum
+        procedure, public :: add_angular_momentum => conditions_add_angular_momentum
+    end type pdn_conditions
+
+    ! The equations of a periodic motion on a grid, or a rank's part of them.
     type, extends(pdn_handle) :: pdn_equations
     contains
         procedure, public :: new => equations_new
-        procedure, public :: sizes => equations_sizes
+        procedure, public :: get_sizes => equations_get_sizes
         procedure, public :: nodes => equations_nodes
         procedure, public :: numbers => equations_numbers
         procedure, public :: state => equations_state
@@ -3798,54 +3775,315 @@ module periodyn
         procedure, public :: solution => equations_solution
     end type pdn_equations
 
-    ! Quantities of solutions at many times, to be written as CSV. Without labels columns have names of their own.
+    ! A mechanism.
+    type, extends(pdn_handle) :: pdn_model
+    contains
+        procedure, public :: new => model_new
+        procedure, public :: node_count => model_node_count
+        procedure, public :: joint_count => model_joint_count
+        procedure, public :: element_count => model_element_count
+        procedure, public :: mass => model_mass
+        procedure, public :: node_frame => model_node_frame
+        procedure, public :: add_node => model_add_node
+        procedure, public :: add_rigid_body => model_add_rigid_body
+        procedure, public :: add_mass => model_add_mass
+        procedure, public :: add_inertia => model_add_inertia
+        procedure, public :: prescribe => model_prescribe
+        procedure, public :: add_rigid_joint => model_add_rigid_joint
+        procedure, public :: add_revolute => model_add_revolute
+        procedure, public :: add_prismatic => model_add_prismatic
+        procedure, public :: add_cylindrical => model_add_cylindrical
+        procedure, public :: add_screw => model_add_screw
+        procedure, public :: add_planar => model_add_planar
+        procedure, public :: add_free_joint => model_add_free_joint
+        procedure, public :: add_spherical => model_add_spherical
+        procedure, public :: add_universal => model_add_universal
+        procedure, public :: add_strut => model_add_strut
+        procedure, public :: add_joint => model_add_joint
+        procedure, public :: add_screw_between => model_add_screw_between
+        procedure, public :: relation_count => model_relation_count
+        procedure, public :: add_relation => model_add_relation
+        procedure, public :: add_beam_element => model_add_beam_element
+        procedure, public :: add_straight_beam => model_add_straight_beam
+        procedure, public :: add_beam => model_add_beam
+        procedure, public :: add_beam_between => model_add_beam_between
+        procedure, public :: add_load => model_add_load
+        procedure, public :: set_gravity => model_set_gravity
+        procedure, public :: set_gravity_signals => model_set_gravity_signals
+        procedure, public :: add_distributed_load => model_add_distributed_load
+        procedure, public :: add_load_at_places => model_add_load_at_places
+        procedure, public :: set_turning_frame => model_set_turning_frame
+        procedure, public :: turning_frame => model_turning_frame
+        procedure, public :: set_rotor_symmetry => model_set_rotor_symmetry
+        procedure, public :: rotor_symmetry => model_rotor_symmetry
+        procedure, public :: rotor_node => model_rotor_node
+        procedure, public :: add_shell_element => model_add_shell_element
+        procedure, public :: add_shell => model_add_shell
+        procedure, public :: add_shell_grid => model_add_shell_grid
+        procedure, public :: add_shell_quadrilaterals => model_add_shell_quadrilaterals
+        procedure, public :: shell_patch_node => model_shell_patch_node
+        procedure, public :: shell_element_count => model_shell_element_count
+        procedure, public :: shell_node => model_shell_node
+        procedure, public :: add_shell_load => model_add_shell_load
+        procedure, public :: set_shell_prestress => model_set_shell_prestress
+        procedure, public :: add_rigid_joints => model_add_rigid_joints
+        procedure, public :: add_rigid_edge => model_add_rigid_edge
+        procedure, public :: force_count => model_force_count
+        procedure, public :: add_spring_damper => model_add_spring_damper
+        procedure, public :: add_nonlinear_spring_damper => model_add_nonlinear_spring_damper
+        procedure, public :: add_actuator => model_add_actuator
+        procedure, public :: add_viscoelastic => model_add_viscoelastic
+        procedure, public :: add_viscous_damper => model_add_viscous_damper
+        procedure, public :: add_bushing => model_add_bushing
+        procedure, public :: add_coordinate_law => model_add_coordinate_law
+        procedure, public :: add_user_force => model_add_user_force
+        procedure, public :: check_tangents => model_check_tangents
+        procedure, public :: add_controller => model_add_controller
+        procedure, public :: bind_controller => model_bind_controller
+        procedure, public :: controller_counts => model_controller_counts
+        procedure, public :: controller_coordinate => model_controller_coordinate
+        procedure, public :: controller_state => model_controller_state
+        procedure, public :: add_surface_force => model_add_surface_force
+        procedure, public :: set_label => model_set_label
+        procedure, public :: label => model_label
+        procedure, public :: find_label => model_find_label
+        procedure, public :: solve_periodic => model_solve_periodic
+        procedure, public :: add_parameter => model_add_parameter
+        procedure, public :: parameter_count => model_parameter_count
+        procedure, public :: parameter => model_parameter
+        procedure, public :: parameter_name => model_parameter_name
+        procedure, public :: find_parameter => model_find_parameter
+        procedure, public :: move_number => model_move_number
+        procedure, public :: move_signal => model_move_signal
+        procedure, public :: set_parameter => model_set_parameter
+        procedure, public :: set_mass_damping => model_set_mass_damping
+        procedure, public :: declare_of_phase => model_declare_of_phase
+        procedure, public :: joint => model_joint
+        procedure, public :: force => model_force
+        procedure, public :: force_number => model_force_number
+        procedure, public :: force_node => model_force_node
+        procedure, public :: beam_element_node_count => model_beam_element_node_count
+        procedure, public :: beam_element_node => model_beam_element_node
+        procedure, public :: beam_section => model_beam_section
+        procedure, public :: inertia_count => model_inertia_count
+        procedure, public :: inertia => model_inertia
+        procedure, public :: inertia_of => model_inertia_of
+        procedure, public :: prescribed => model_prescribed
+        procedure, public :: relation_term_count => model_relation_term_count
+        procedure, public :: relation_term => model_relation_term
+        procedure, public :: sample_signal => model_sample_signal
+        procedure, public :: load_count => model_load_count
+        procedure, public :: load_at => model_load_at
+        procedure, public :: beam_load_count => model_beam_load_count
+        procedure, public :: beam_load => model_beam_load
+        procedure, public :: beam_load_factor => model_beam_load_factor
+        procedure, public :: shell_load_count => model_shell_load_count
+        procedure, public :: shell_load => model_shell_load
+        procedure, public :: solve_conditioned => model_solve_conditioned
+        procedure, public :: follow_branch => model_follow_branch
+        procedure, public :: solve_frequency_response => model_solve_frequency_response
+        procedure, public :: solve_static => model_solve_static
+        procedure, public :: solve_modes => model_solve_modes
+        procedure, public :: march => model_march
+        procedure, public :: solve_shooting => model_solve_shooting
+        procedure, public :: summary => model_summary
+        procedure, public :: describe => model_describe
+        procedure, public :: copy => model_copy
+        procedure, public :: save => model_save
+        procedure, public :: load => model_load
+    end type pdn_model
+
+    ! An equilibrium and the modes about it.
+    type, extends(pdn_handle) :: pdn_modes
+    contains
+        procedure, public :: outcome => modes_outcome
+        procedure, public :: converged => modes_converged
+        procedure, public :: report => modes_report
+        procedure, public :: count => modes_count
+        procedure, public :: get => modes_get
+        procedure, public :: shape => modes_shape
+        procedure, public :: motion => modes_motion
+        procedure, public :: equilibrium => modes_equilibrium
+    end type pdn_modes
+
+    ! What is differentiated, by what.
+    type, extends(pdn_handle) :: pdn_sensitivities
+    contains
+        procedure, public :: new => sensitivities_new
+        procedure, public :: add_quantity => sensitivities_add_quantity
+        procedure, public :: add_found => sensitivities_add_found
+        procedure, public :: add_parameter => sensitivities_add_parameter
+    end type pdn_sensitivities
+
+    ! A solution, converged or not.
+    type, extends(pdn_handle) :: pdn_solution
+    contains
+        procedure, public :: outcome => solution_outcome
+        procedure, public :: converged => solution_converged
+        procedure, public :: report => solution_report
+        procedure, public :: diagnostics => solution_diagnostics
+        procedure, public :: history => solution_history
+        procedure, public :: decay => solution_decay
+        procedure, public :: sharp_event_count => solution_sharp_event_count
+        procedure, public :: sharp_events => solution_sharp_events
+        procedure, public :: grid_times => solution_grid_times
+        procedure, private :: solution_sample, solution_sample_flat
+        generic, public :: sample => solution_sample, solution_sample_flat
+        procedure, public :: harmonics => solution_harmonics
+        procedure, public :: extremes => solution_extremes
+        procedure, public :: filtered => solution_filtered
+        procedure, public :: parameter => solution_parameter
+        procedure, public :: sensitivities => solution_sensitivities
+        procedure, public :: multiplier_sensitivities => solution_multiplier_sensitivities
+        procedure, public :: march => solution_march
+        procedure, public :: floquet_count => solution_floquet_count
+        procedure, public :: floquet => solution_floquet
+        procedure, public :: solve_stability => solution_solve_stability
+        procedure, public :: write_vtk => solution_write_vtk
+        procedure, public :: save => solution_save
+        procedure, public :: load => solution_load
+        procedure, public :: model => solution_model
+    end type pdn_solution
+
+    ! Floquet multipliers of a periodic solution.
+    type, extends(pdn_handle) :: pdn_stability
+    contains
+        procedure, public :: outcome => stability_outcome
+        procedure, public :: converged => stability_converged
+        procedure, public :: verdict => stability_verdict
+        procedure, public :: count => stability_count
+        procedure, public :: get => stability_get
+        procedure, public :: times => stability_times
+        procedure, public :: shape => stability_shape
+        procedure, public :: report => stability_report
+    end type pdn_stability
+
+    ! Columns of numbers over the same times.
     type, extends(pdn_handle) :: pdn_table
     contains
+        procedure, public :: add_quantity => table_add_quantity
         procedure, public :: new => table_new
-        procedure, public :: add => table_add
         procedure, public :: add_values => table_add_values
         procedure, public :: write_csv => table_write_csv
     end type pdn_table
 
-    ! Sets the defaults of options.
+    ! Sets the defaults of a struct.
     interface pdn_init
-        procedure init_section, init_shell_section, init_shell_placement, init_surface, init_periodic_options, &
-            init_static_options, init_modes_options, init_march_options, init_shooting_options, &
-            init_stability_options, init_sensitivity_options, init_branch_options, init_equations_options
+        procedure init_section, init_line, init_stations, init_surface, init_shell_section, &
+            init_shell_placement, init_tangent_check, init_diagnostics, init_quantity, &
+            init_periodic_options, init_equations_options, init_equations_sizes, &
+            init_joint_info, init_force_info, init_sensitivity_options, init_branch_point, &
+            init_branch_options, init_stability_options, init_static_options, &
+            init_modes_options, init_mode, init_march_options, init_march_diagnostics, &
+            init_shooting_options, init_multiplier, init_summary
     end interface pdn_init
 
-    ! These have texts and arrays in place of those of periodyn_c, which are c_version and so on here.
     interface pdn_version
-        procedure version_text
+        procedure version
     end interface pdn_version
+    interface pdn_version_check
+        procedure version_check
+    end interface pdn_version_check
     interface pdn_build_info
-        procedure build_info_text
+        procedure build_info
     end interface pdn_build_info
     interface pdn_status_name
-        procedure status_name_text
+        procedure status_name
     end interface pdn_status_name
     interface pdn_status_message
-        procedure status_message_text
+        procedure status_message
     end interface pdn_status_message
     interface pdn_last_error
-        procedure last_error_text
+        procedure last_error
     end interface pdn_last_error
     interface pdn_set_last_error
-        procedure set_last_error_text
+        procedure set_last_error
     end interface pdn_set_last_error
     interface pdn_set_callback_error
-        procedure set_callback_error_text
+        procedure set_callback_error
     end interface pdn_set_callback_error
+    interface pdn_section_set_component_damping
+        procedure section_set_component_damping
+    end interface pdn_section_set_component_damping
+    interface pdn_section_set_proportional_damping
+        procedure section_set_proportional_damping
+    end interface pdn_section_set_proportional_damping
+    interface pdn_shell_section_set_proportional_damping
+        procedure shell_section_set_proportional_damping
+    end interface pdn_shell_section_set_proportional_damping
     interface pdn_motion_interpolate
-        procedure interpolate_motion
+        procedure motion_interpolate
     end interface pdn_motion_interpolate
     interface pdn_motion_grid_kinematics
-        procedure differentiate_motion
+        procedure motion_grid_kinematics
     end interface pdn_motion_grid_kinematics
+
+    private :: init_section, init_line, init_stations, init_surface, init_shell_section, &
+        init_shell_placement, init_tangent_check, init_diagnostics, init_quantity, &
+        init_periodic_options, init_equations_options, init_equations_sizes, init_joint_info, &
+        init_force_info, init_sensitivity_options, init_branch_point, init_branch_options, &
+        init_stability_options, init_static_options, init_modes_options, init_mode, &
+        init_march_options, init_march_diagnostics, init_shooting_options, init_multiplier, &
+        init_summary, version, version_check, build_info, status_name, status_message, &
+        last_error, set_last_error, set_callback_error, section_set_component_damping, &
+        section_set_proportional_damping, shell_section_set_proportional_damping, &
+        motion_interpolate, motion_grid_kinematics, branch_switch_branch, branch_follow_locus, &
+        branch_continue_branch, branch_save, branch_load, branch_end, branch_report, &
+        branch_count, branch_get, branch_solution, branch_write_csv, branch_write_campbell, &
+        conditions_new, conditions_release, conditions_add_phase, conditions_add_rotation_phase, &
+        conditions_add_translation_phase, conditions_add_quantity, &
+        conditions_add_joint_coordinate, conditions_add_energy, conditions_add_momentum, &
+        conditions_add_angular_momentum, equations_new, equations_get_sizes, equations_nodes, &
+        equations_numbers, equations_state, equations_set_state, equations_residual, &
+        equations_linearise, equations_product, equations_transposed_product, &
+        equations_power_product, equations_factor, equations_precondition, equations_compliance, &
+        equations_update, equations_norms, equations_solution, model_new, model_node_count, &
+        model_joint_count, model_element_count, model_mass, model_node_frame, model_add_node, &
+        model_add_rigid_body, model_add_mass, model_add_inertia, model_prescribe, &
+        model_add_rigid_joint, model_add_revolute, model_add_prismatic, model_add_cylindrical, &
+        model_add_screw, model_add_planar, model_add_free_joint, model_add_spherical, &
+        model_add_universal, model_add_strut, model_add_joint, model_add_screw_between, &
+        model_relation_count, model_add_relation, model_add_beam_element, &
+        model_add_straight_beam, model_add_beam, model_add_beam_between, model_add_load, &
+        model_set_gravity, model_set_gravity_signals, model_add_distributed_load, &
+        model_add_load_at_places, model_set_turning_frame, model_turning_frame, &
+        model_set_rotor_symmetry, model_rotor_symmetry, model_rotor_node, &
+        model_add_shell_element, model_add_shell, model_add_shell_grid, &
+        model_add_shell_quadrilaterals, model_shell_patch_node, model_shell_element_count, &
+        model_shell_node, model_add_shell_load, model_set_shell_prestress, &
+        model_add_rigid_joints, model_add_rigid_edge, model_force_count, &
+        model_add_spring_damper, model_add_nonlinear_spring_damper, model_add_actuator, &
+        model_add_viscoelastic, model_add_viscous_damper, model_add_bushing, &
+        model_add_coordinate_law, model_add_user_force, model_check_tangents, &
+        model_add_controller, model_bind_controller, model_controller_counts, &
+        model_controller_coordinate, model_controller_state, model_add_surface_force, &
+        model_set_label, model_label, model_find_label, model_solve_periodic, &
+        model_add_parameter, model_parameter_count, model_parameter, model_parameter_name, &
+        model_find_parameter, model_move_number, model_move_signal, model_set_parameter, &
+        model_set_mass_damping, model_declare_of_phase, model_joint, model_force, &
+        model_force_number, model_force_node, model_beam_element_node_count, &
+        model_beam_element_node, model_beam_section, model_inertia_count, model_inertia, &
+        model_inertia_of, model_prescribed, model_relation_term_count, model_relation_term, &
+        model_sample_signal, model_load_count, model_load_at, model_beam_load_count, &
+        model_beam_load, model_beam_load_factor, model_shell_load_count, model_shell_load, &
+        model_solve_conditioned, model_follow_branch, model_solve_frequency_response, &
+        model_solve_static, model_solve_modes, model_march, model_solve_shooting, model_summary, &
+        model_describe, model_copy, model_save, model_load, modes_outcome, modes_converged, &
+        modes_report, modes_count, modes_get, modes_shape, modes_motion, modes_equilibrium, &
+        sensitivities_new, sensitivities_add_quantity, sensitivities_add_found, &
+        sensitivities_add_parameter, solution_outcome, solution_converged, solution_report, &
+        solution_diagnostics, solution_history, solution_decay, solution_sharp_event_count, &
+        solution_sharp_events, solution_grid_times, solution_sample, solution_sample_flat, &
+        solution_harmonics, solution_extremes, solution_filtered, solution_parameter, &
+        solution_sensitivities, solution_multiplier_sensitivities, solution_march, &
+        solution_floquet_count, solution_floquet, solution_solve_stability, solution_write_vtk, &
+        solution_save, solution_load, solution_model, stability_outcome, stability_converged, &
+        stability_verdict, stability_count, stability_get, stability_times, stability_shape, &
+        stability_report, table_add_quantity, table_new, table_add_values, table_write_csv
 
 contains
 
-    ! Failure -----------------------------------------------------------------------------------------------
+    ! Failure ----------------------------------------------------------------------------------
 
     ! Hands a status on to the caller.
     subroutine report(status, stat, errmsg)
@@ -3854,8 +4092,7 @@ contains
         character(*), intent(inout), optional :: errmsg
 
         if (present(stat)) stat = status
-        if (status == PDN_OK) return
-        call refuse(status, pdn_last_error(), stat, errmsg)
+        if (status /= PDN_OK) call refuse(status, pdn_last_error(), stat, errmsg)
     end subroutine report
 
     ! Hands a failure on to the caller.
@@ -3874,7 +4111,8 @@ contains
         end if
     end subroutine refuse
 
-    ! Whether an array has the shape that it must have; otherwise refuses it.
+    ! Whether an array has the shape that it must have; otherwise refuses it. What is negative is
+    ! not known, for a reason that the call tells.
     logical function fits(name, found, expected, stat, errmsg)
         character(*), intent(in) :: name
         integer, intent(in) :: found(:), expected(:)
@@ -3882,114 +4120,68 @@ contains
         character(*), intent(inout), optional :: errmsg
         character(200) :: message
 
-        fits = all(found == expected)
+        fits = any(expected < 0) .or. all(found == expected)
         if (fits) return
         write (message, '(2a, *(i0, :, " x "))') name, ': expected the shape ', expected
         write (message(len_trim(message) + 1:), '(a, *(i0, :, " x "))') ', got ', found
         call refuse(PDN_ERR_SIZE, trim(message), stat, errmsg)
     end function fits
 
-    ! A count for the library; none instead of a negative one, which it refuses.
-    pure integer(c_size_t) function count_of(number)
-        integer(c_int32_t), intent(in) :: number
+    ! Number of nodes of a model; negative if there is no model.
+    integer function nodes_of(model)
+        class(pdn_handle), intent(in) :: model
 
-        count_of = max(number, 0_c_int32_t)
-    end function count_of
+        if (pdn_model_node_count(model%c, nodes_of) /= PDN_OK) nodes_of = -1
+    end function nodes_of
 
-    ! Texts ---------------------------------------------------------------------------------------------------
+    ! Signals ----------------------------------------------------------------------------------
 
-    pure function joined(characters) result(text)
-        character(kind=c_char), intent(in) :: characters(:)
-        character(:), allocatable :: text
-        integer :: i
+    ! A signal as the library takes it, while it is there.
+    impure elemental type(c_signal) function raw_of(signal)
+        type(pdn_signal), intent(in), target :: signal
 
-        allocate (character(size(characters)) :: text)
-        do i = 1, size(characters)
-            text(i:i) = characters(i)
-        end do
-    end function joined
+        raw_of = signal%raw
+        if (allocated(signal%cosines)) raw_of%cosines = c_loc(signal%cosines)
+        if (allocated(signal%sines)) raw_of%sines = c_loc(signal%sines)
+        if (allocated(signal%samples)) raw_of%samples = c_loc(signal%samples)
+    end function raw_of
 
-    ! A text as C takes it, without blanks at its end.
-    pure function c_text(text) result(characters)
-        character(*), intent(in) :: text
-        character(kind=c_char), allocatable :: characters(:)
-        integer :: i
+    ! Quantities -------------------------------------------------------------------------------
 
-        allocate (characters(len_trim(text) + 1))
-        do i = 1, len_trim(text)
-            characters(i) = text(i:i)
-        end do
-        characters(size(characters)) = c_null_char
-    end function c_text
+    ! What is asked of a solution, of one of the kinds PDN_NODE_POSITION, ..., of a node, joint,
+    ! beam element or force; other fields may then be set.
+    function pdn_quantity_of(kind, object, component, frame, node, branch, station) &
+        result(quantity)
+        integer(c_int32_t), intent(in) :: kind, object
+        integer(c_int32_t), intent(in), optional :: component, frame, node, branch
+        real(c_double), intent(in), optional :: station
+        type(pdn_quantity) :: quantity
+
+        call pdn_init(quantity)
+        quantity%kind = kind
+        quantity%object = object
+        if (present(component)) quantity%component = component
+        if (present(frame)) quantity%frame = frame
+        if (present(node)) quantity%node = node
+        if (present(branch)) quantity%branch = branch
+        if (present(station)) quantity%station = station
+    end function pdn_quantity_of
+
+    ! Texts ---------------------------------------------------------------------------------------
 
     function text_at(pointer) result(text)
         type(c_ptr), intent(in) :: pointer
         character(:), allocatable :: text
         character(kind=c_char), pointer :: characters(:)
-        integer :: length
 
-        call c_f_pointer(pointer, characters, [huge(length)])
-        length = 0
-        do while (characters(length + 1) /= c_null_char)
-            length = length + 1
+        call c_f_pointer(pointer, characters, [huge(1)])
+        text = ''
+        do while (characters(len(text) + 1) /= c_null_char)
+            text = text//characters(len(text) + 1)
         end do
-        text = joined(characters(:length))
     end function text_at
 
-    function version_text() result(text)
-        character(:), allocatable :: text
-
-        text = text_at(c_version())
-    end function version_text
-
-    function build_info_text() result(text)
-        character(:), allocatable :: text
-
-        text = text_at(c_build_info())
-    end function build_info_text
-
-    function status_name_text(status) result(text)
-        integer(c_int32_t), intent(in) :: status
-        character(:), allocatable :: text
-
-        text = text_at(c_status_name(status))
-    end function status_name_text
-
-    function status_message_text(status) result(text)
-        integer(c_int32_t), intent(in) :: status
-        character(:), allocatable :: text
-
-        text = text_at(c_status_message(status))
-    end function status_message_text
-
-    ! Message of the last call that failed on this thread.
-    function last_error_text() result(text)
-        character(:), allocatable :: text
-        character(kind=c_char), allocatable :: buffer(:)
-        integer(c_size_t) :: length
-
-        allocate (buffer(c_last_error(capacity=0_c_size_t) + 1))
-        length = c_last_error(buffer, size(buffer, kind=c_size_t))
-        text = joined(buffer(:length))
-    end function last_error_text
-
-    ! For a library on top of this one: what pdn_last_error is to give.
-    subroutine set_last_error_text(message)
-        character(*), intent(in) :: message
-        integer(c_int32_t) :: ignored
-
-        ignored = c_set_last_error(c_text(message))
-    end subroutine set_last_error_text
-
-    ! For a callback that is about to report failure: says why.
-    subroutine set_callback_error_text(message)
-        character(*), intent(in) :: message
-        integer(c_int32_t) :: ignored
-
-        ignored = c_set_callback_error(c_text(message))
-    end subroutine set_callback_error_text
-
-    ! Handles -------------------------------------------------------------------------------------------------
+    ! Handles ----------------------------------------------------------------------------------
 
     ! Gives up the object; frees it if this was its last variable.
     subroutine handle_free(self)
@@ -4014,19 +4206,19 @@ contains
     end subroutine handle_finalise
 
     ! The handle for procedures of periodyn_c; null if there is none.
-    function handle_raw(self) result(c)
+    type(c_ptr) function handle_raw(self)
         class(pdn_handle), intent(in) :: self
-        type(c_ptr) :: c
 
-        c = self%c
+        handle_raw = self%c
     end function handle_raw
 
-    ! Takes over a handle of the library, in place of what was held.
+    ! Takes over a handle of the library, if it gave one, in place of what was held.
     subroutine adopt(self, c, release_with)
         class(pdn_handle), intent(inout) :: self
         type(c_ptr), intent(in) :: c
-        procedure(pdn_free_fn) :: release_with
+        procedure(pdn_destroy_fn) :: release_with
 
+        if (.not. c_associated(c)) return
         call self%free()
         self%c = c
         self%release_with => release_with
@@ -4048,7 +4240,7 @@ contains
         left%release_with => right%release_with
     end subroutine share
 
-    ! Structs -------------------------------------------------------------------------------------------------
+    ! The functions of periodyn.h --------------------------------------------------------------
 
     subroutine init_section(section)
         type(pdn_section), intent(out) :: section
@@ -4056,17 +4248,17 @@ contains
         call pdn_section_init(section, c_sizeof(section))
     end subroutine init_section
 
-    subroutine init_shell_section(section)
-        type(pdn_shell_section), intent(out) :: section
+    subroutine init_line(line)
+        type(pdn_line), intent(out) :: line
 
-        call pdn_shell_section_init(section, c_sizeof(section))
-    end subroutine init_shell_section
+        call pdn_line_init(line, c_sizeof(line))
+    end subroutine init_line
 
-    subroutine init_shell_placement(placement)
-        type(pdn_shell_placement), intent(out) :: placement
+    subroutine init_stations(stations)
+        type(pdn_stations), intent(out) :: stations
 
-        call pdn_shell_placement_init(placement, c_sizeof(placement))
-    end subroutine init_shell_placement
+        call pdn_stations_init(stations, c_sizeof(stations))
+    end subroutine init_stations
 
     subroutine init_surface(surface)
         type(pdn_surface), intent(out) :: surface
@@ -4074,355 +4266,2423 @@ contains
         call pdn_surface_init(surface, c_sizeof(surface))
     end subroutine init_surface
 
-    subroutine init_periodic_options(options)
-        type(pdn_periodic_options), intent(out) :: options
+    subroutine init_shell_section(shell_section)
+        type(pdn_shell_section), intent(out) :: shell_section
 
-        call pdn_periodic_options_init(options, c_sizeof(options))
+        call pdn_shell_section_init(shell_section, c_sizeof(shell_section))
+    end subroutine init_shell_section
+
+    subroutine init_shell_placement(shell_placement)
+        type(pdn_shell_placement), intent(out) :: shell_placement
+
+        call pdn_shell_placement_init(shell_placement, c_sizeof(shell_placement))
+    end subroutine init_shell_placement
+
+    subroutine init_tangent_check(tangent_check)
+        type(pdn_tangent_check), intent(out) :: tangent_check
+
+        call pdn_tangent_check_init(tangent_check, c_sizeof(tangent_check))
+    end subroutine init_tangent_check
+
+    subroutine init_diagnostics(diagnostics)
+        type(pdn_diagnostics), intent(out) :: diagnostics
+
+        call pdn_diagnostics_init(diagnostics, c_sizeof(diagnostics))
+    end subroutine init_diagnostics
+
+    subroutine init_quantity(quantity)
+        type(pdn_quantity), intent(out) :: quantity
+
+        call pdn_quantity_init(quantity, c_sizeof(quantity))
+    end subroutine init_quantity
+
+    subroutine init_periodic_options(periodic_options)
+        type(pdn_periodic_options), intent(out) :: periodic_options
+
+        call pdn_periodic_options_init(periodic_options, c_sizeof(periodic_options))
     end subroutine init_periodic_options
 
-    subroutine init_static_options(options)
-        type(pdn_static_options), intent(out) :: options
+    subroutine init_equations_options(equations_options)
+        type(pdn_equations_options), intent(out) :: equations_options
 
-        call pdn_static_options_init(options, c_sizeof(options))
-    end subroutine init_static_options
-
-    subroutine init_modes_options(options)
-        type(pdn_modes_options), intent(out) :: options
-
-        call pdn_modes_options_init(options, c_sizeof(options))
-    end subroutine init_modes_options
-
-    subroutine init_march_options(options)
-        type(pdn_march_options), intent(out) :: options
-
-        call pdn_march_options_init(options, c_sizeof(options))
-    end subroutine init_march_options
-
-    subroutine init_equations_options(options)
-        type(pdn_equations_options), intent(out) :: options
-
-        call pdn_equations_options_init(options, c_sizeof(options))
+        call pdn_equations_options_init(equations_options, c_sizeof(equations_options))
     end subroutine init_equations_options
 
-    subroutine init_shooting_options(options)
-        type(pdn_shooting_options), intent(out) :: options
+    subroutine init_equations_sizes(equations_sizes)
+        type(pdn_equations_sizes), intent(out) :: equations_sizes
 
-        call pdn_shooting_options_init(options, c_sizeof(options))
-    end subroutine init_shooting_options
+        call pdn_equations_sizes_init(equations_sizes, c_sizeof(equations_sizes))
+    end subroutine init_equations_sizes
 
-    subroutine init_sensitivity_options(options)
-        type(pdn_sensitivity_options), intent(out) :: options
+    subroutine init_joint_info(joint_info)
+        type(pdn_joint_info), intent(out) :: joint_info
 
-        call pdn_sensitivity_options_init(options, c_sizeof(options))
+        call pdn_joint_info_init(joint_info, c_sizeof(joint_info))
+    end subroutine init_joint_info
+
+    subroutine init_force_info(force_info)
+        type(pdn_force_info), intent(out) :: force_info
+
+        call pdn_force_info_init(force_info, c_sizeof(force_info))
+    end subroutine init_force_info
+
+    subroutine init_sensitivity_options(sensitivity_options)
+        type(pdn_sensitivity_options), intent(out) :: sensitivity_options
+
+        call pdn_sensitivity_options_init(sensitivity_options, c_sizeof(sensitivity_options))
     end subroutine init_sensitivity_options
 
-    subroutine init_stability_options(options)
-        type(pdn_stability_options), intent(out) :: options
+    subroutine init_branch_point(branch_point)
+        type(pdn_branch_point), intent(out) :: branch_point
 
-        call pdn_stability_options_init(options, c_sizeof(options))
-    end subroutine init_stability_options
+        call pdn_branch_point_init(branch_point, c_sizeof(branch_point))
+    end subroutine init_branch_point
 
-    subroutine init_branch_options(options)
-        type(pdn_branch_options), intent(out) :: options
+    subroutine init_branch_options(branch_options)
+        type(pdn_branch_options), intent(out) :: branch_options
 
-        call pdn_branch_options_init(options, c_sizeof(options))
+        call pdn_branch_options_init(branch_options, c_sizeof(branch_options))
     end subroutine init_branch_options
 
-    ! A section without couplings: six stiffnesses; mass and three moments of inertia for each unit of length.
-    ! damping_time gives it damping = damping_time * stiffness, damping_times each component a time of its own.
-    function pdn_diagonal_section(stiffness, mass, damping_time, stat, errmsg, damping_times) result(section)
+    subroutine init_stability_options(stability_options)
+        type(pdn_stability_options), intent(out) :: stability_options
+
+        call pdn_stability_options_init(stability_options, c_sizeof(stability_options))
+    end subroutine init_stability_options
+
+    subroutine init_static_options(static_options)
+        type(pdn_static_options), intent(out) :: static_options
+
+        call pdn_static_options_init(static_options, c_sizeof(static_options))
+    end subroutine init_static_options
+
+    subroutine init_modes_options(modes_options)
+        type(pdn_modes_options), intent(out) :: modes_options
+
+        call pdn_modes_options_init(modes_options, c_sizeof(modes_options))
+    end subroutine init_modes_options
+
+    subroutine init_mode(mode)
+        type(pdn_mode), intent(out) :: mode
+
+        call pdn_mode_init(mode, c_sizeof(mode))
+    end subroutine init_mode
+
+    subroutine init_march_options(march_options)
+        type(pdn_march_options), intent(out) :: march_options
+
+        call pdn_march_options_init(march_options, c_sizeof(march_options))
+    end subroutine init_march_options
+
+    subroutine init_march_diagnostics(march_diagnostics)
+        type(pdn_march_diagnostics), intent(out) :: march_diagnostics
+
+        call pdn_march_diagnostics_init(march_diagnostics, c_sizeof(march_diagnostics))
+    end subroutine init_march_diagnostics
+
+    subroutine init_shooting_options(shooting_options)
+        type(pdn_shooting_options), intent(out) :: shooting_options
+
+        call pdn_shooting_options_init(shooting_options, c_sizeof(shooting_options))
+    end subroutine init_shooting_options
+
+    subroutine init_multiplier(multiplier)
+        type(pdn_multiplier), intent(out) :: multiplier
+
+        call pdn_multiplier_init(multiplier, c_sizeof(multiplier))
+    end subroutine init_multiplier
+
+    subroutine init_summary(summary)
+        type(pdn_summary), intent(out) :: summary
+
+        call pdn_summary_init(summary, c_sizeof(summary))
+    end subroutine init_summary
+
+    ! Describes a section without couplings: centroid, shear centre and centre of mass lie on the
+    ! beam's line, and axes 2 and 3 are principal.
+    function pdn_diagonal_section(stiffness, mass, stat, errmsg) result(section)
         real(c_double), intent(in) :: stiffness(6), mass(4)
-        real(c_double), intent(in), optional :: damping_time, damping_times(6)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         type(pdn_section) :: section
         integer(c_int32_t) :: status
 
-        call pdn_init(section)
+        call pdn_section_init(section, c_sizeof(section))
         status = pdn_section_set_diagonal(section, stiffness, mass)
-        if (status == PDN_OK .and. present(damping_time)) then
-            status = pdn_section_set_proportional_damping(section, damping_time)
-        end if
-        if (status == PDN_OK .and. present(damping_times)) then
-            status = pdn_section_set_component_damping(section, damping_times)
-        end if
         call report(status, stat, errmsg)
     end function pdn_diagonal_section
 
-    ! Section of a shell of one isotropic material.
-    function pdn_isotropic_shell(thickness, young, poisson, density, drilling, drilling_gradient, damping_time, &
-        stat, errmsg) result(section)
-        real(c_double), intent(in) :: thickness, young, poisson, density
-        real(c_double), intent(in), optional :: drilling, drilling_gradient, damping_time
+    ! Makes a signal constant.
+    function pdn_constant_signal(value, stat, errmsg) result(signal)
+        real(c_double), intent(in) :: value
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        type(pdn_shell_section) :: section
-        real(c_double) :: held, smoothed
+        type(pdn_signal) :: signal
         integer(c_int32_t) :: status
 
-        held = 1
-        smoothed = 0.1_c_double
-        if (present(drilling)) held = drilling
-        if (present(drilling_gradient)) smoothed = drilling_gradient
-        call pdn_init(section)
-        status = pdn_shell_section_set_isotropic(section, thickness, young, poisson, density, held, smoothed)
-        if (status == PDN_OK .and. present(damping_time)) then
-            status = pdn_shell_section_set_proportional_damping(section, damping_time)
-        end if
+        call pdn_signal_init(signal%raw, c_sizeof(signal%raw))
+        status = pdn_signal_set_constant(signal%raw, value)
         call report(status, stat, errmsg)
-    end function pdn_isotropic_shell
+    end function pdn_constant_signal
 
-    ! Surfaces to mesh with shells -----------------------------------------------------------------------------
-
-    function pdn_parallelogram(corner, along_u, along_v, stat, errmsg) result(surface)
-        real(c_double), intent(in) :: corner(3), along_u(3), along_v(3)
+    ! Makes a signal of harmonics, mean and rate.
+    function pdn_harmonics_signal(mean, rate, cosines, sines, stat, errmsg) result(signal)
+        real(c_double), intent(in), optional :: mean, rate
+        real(c_double), intent(in), contiguous, optional :: cosines(:), sines(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        type(pdn_surface) :: surface
+        type(pdn_signal) :: signal
+        integer(c_size_t) :: count
+        real(c_double) :: raw_mean, raw_rate
+        integer(c_int32_t) :: status
 
-        call pdn_init(surface)
-        call report(pdn_surface_set_parallelogram(surface, corner, along_u, along_v), stat, errmsg)
-    end function pdn_parallelogram
+        call pdn_signal_init(signal%raw, c_sizeof(signal%raw))
+        count = 0
+        if (present(sines)) count = size(sines, 1, c_size_t)
+        if (present(cosines)) count = size(cosines, 1, c_size_t)
+        raw_mean = 0.0_c_double
+        if (present(mean)) raw_mean = mean
+        raw_rate = 0.0_c_double
+        if (present(rate)) raw_rate = rate
+        if (present(cosines)) signal%cosines = cosines
+        if (present(sines)) then
+            if (.not. fits('sines', shape(sines), [int(count)], stat, errmsg)) return
+        end if
+        if (present(sines)) signal%sines = sines
+        status = pdn_signal_set_harmonics(signal%raw, raw_mean, raw_rate, cosines, sines, count)
+        call report(status, stat, errmsg)
+    end function pdn_harmonics_signal
 
-    function pdn_annulus(centre, axis, start, inner, outer, angle, stat, errmsg) result(surface)
-        real(c_double), intent(in) :: centre(3), axis(3), start(3), inner, outer, angle
+    ! Makes a signal rate t plus the trigonometric interpolation of samples[k] at t = k T / count.
+    function pdn_samples_signal(samples, rate, stat, errmsg) result(signal)
+        real(c_double), intent(in), contiguous :: samples(:)
+        real(c_double), intent(in), optional :: rate
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        type(pdn_surface) :: surface
+        type(pdn_signal) :: signal
+        integer(c_size_t) :: count
+        real(c_double) :: raw_rate
+        integer(c_int32_t) :: status
 
-        call pdn_init(surface)
-        call report(pdn_surface_set_annulus(surface, centre, axis, start, inner, outer, angle), stat, errmsg)
-    end function pdn_annulus
+        call pdn_signal_init(signal%raw, c_sizeof(signal%raw))
+        count = size(samples, 1, c_size_t)
+        raw_rate = 0.0_c_double
+        if (present(rate)) raw_rate = rate
+        signal%samples = samples
+        status = pdn_signal_set_samples(signal%raw, raw_rate, samples, count)
+        call report(status, stat, errmsg)
+    end function pdn_samples_signal
 
-    function pdn_cylinder(centre, axis, start, radius, length, angle, stat, errmsg) result(surface)
-        real(c_double), intent(in) :: centre(3), axis(3), start(3), radius, length, angle
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(pdn_surface) :: surface
-
-        call pdn_init(surface)
-        call report(pdn_surface_set_cylinder(surface, centre, axis, start, radius, length, angle), stat, errmsg)
-    end function pdn_cylinder
-
-    ! The points that a function computes.
-    function pdn_surface_of(function, user_data, stat, errmsg) result(surface)
-        procedure(pdn_surface_fn) :: function
+    ! Makes a signal a function of the caller.
+    function pdn_function_signal(function, user_data, stat, errmsg) result(signal)
+        procedure(pdn_signal_fn) :: function
         type(c_ptr), intent(in), optional :: user_data
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        type(pdn_surface) :: surface
-        type(c_ptr) :: data
+        type(pdn_signal) :: signal
+        type(c_ptr) :: raw_user_data
+        integer(c_int32_t) :: status
 
-        data = c_null_ptr
-        if (present(user_data)) data = user_data
-        call pdn_init(surface)
-        call report(pdn_surface_set_function(surface, c_funloc(function), data), stat, errmsg)
-    end function pdn_surface_of
+        call pdn_signal_init(signal%raw, c_sizeof(signal%raw))
+        raw_user_data = c_null_ptr
+        if (present(user_data)) raw_user_data = user_data
+        status = pdn_signal_set_function(signal%raw, c_funloc(function), raw_user_data)
+        call report(status, stat, errmsg)
+    end function pdn_function_signal
 
-    ! Reference lines of beams ---------------------------------------------------------------------------------
+    ! Makes a signal a function of the caller, of the phase 2 pi t / T [radians], which it is told
+    ! in place of the time: it holds for any period T.
+    function pdn_function_of_phase_signal(function, user_data, stat, errmsg) result(signal)
+        procedure(pdn_signal_fn) :: function
+        type(c_ptr), intent(in), optional :: user_data
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_signal) :: signal
+        type(c_ptr) :: raw_user_data
+        integer(c_int32_t) :: status
 
+        call pdn_signal_init(signal%raw, c_sizeof(signal%raw))
+        raw_user_data = c_null_ptr
+        if (present(user_data)) raw_user_data = user_data
+        status = pdn_signal_set_function_of_phase(signal%raw, c_funloc(function), raw_user_data)
+        call report(status, stat, errmsg)
+    end function pdn_function_of_phase_signal
+
+    ! Makes a line straight.
     function pdn_straight_line(start, end, axis_2, stat, errmsg) result(line)
         real(c_double), intent(in) :: start(3), end(3), axis_2(3)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         type(pdn_line) :: line
+        integer(c_int32_t) :: status
 
         call pdn_line_init(line, c_sizeof(line))
-        call report(pdn_line_set_straight(line, start, end, axis_2), stat, errmsg)
+        status = pdn_line_set_straight(line, start, end, axis_2)
+        call report(status, stat, errmsg)
     end function pdn_straight_line
 
-    function pdn_arc(start, point, end, axis_2, stat, errmsg) result(line)
+    ! Makes a line the circular arc from start through point to end, of up to a whole turn.
+    function pdn_arc_line(start, point, end, axis_2, stat, errmsg) result(line)
         real(c_double), intent(in) :: start(3), point(3), end(3), axis_2(3)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         type(pdn_line) :: line
+        integer(c_int32_t) :: status
 
         call pdn_line_init(line, c_sizeof(line))
-        call report(pdn_line_set_arc(line, start, point, end, axis_2), stat, errmsg)
-    end function pdn_arc
+        status = pdn_line_set_arc(line, start, point, end, axis_2)
+        call report(status, stat, errmsg)
+    end function pdn_arc_line
 
-    function pdn_curve(curve, user_data, stat, errmsg) result(line)
+    ! Makes a line a curve that the caller computes.
+    function pdn_curve_line(curve, user_data, stat, errmsg) result(line)
         procedure(pdn_curve_fn) :: curve
         type(c_ptr), intent(in), optional :: user_data
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         type(pdn_line) :: line
-        type(c_ptr) :: data
+        type(c_ptr) :: raw_user_data
+        integer(c_int32_t) :: status
 
-        data = c_null_ptr
-        if (present(user_data)) data = user_data
         call pdn_line_init(line, c_sizeof(line))
-        call report(pdn_line_set_curve(line, c_funloc(curve), data), stat, errmsg)
-    end function pdn_curve
+        raw_user_data = c_null_ptr
+        if (present(user_data)) raw_user_data = user_data
+        status = pdn_line_set_curve(line, c_funloc(curve), raw_user_data)
+        call report(status, stat, errmsg)
+    end function pdn_curve_line
 
-    ! Signals -------------------------------------------------------------------------------------------------
-
-    function pdn_constant(value, stat, errmsg) result(signal)
-        real(c_double), intent(in) :: value
+    ! Makes a surface a parallelogram, such as a rectangle.
+    function pdn_parallelogram_surface(corner, along_u, along_v, stat, errmsg) result(surface)
+        real(c_double), intent(in) :: corner(3), along_u(3), along_v(3)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        type(pdn_signal) :: signal
-        type(c_signal) :: raw
+        type(pdn_surface) :: surface
+        integer(c_int32_t) :: status
 
-        signal%mean = value
-        call pdn_signal_init(raw, c_sizeof(raw))
-        call report(pdn_signal_set_constant(raw, value), stat, errmsg)
-    end function pdn_constant
+        call pdn_surface_init(surface, c_sizeof(surface))
+        status = pdn_surface_set_parallelogram(surface, corner, along_u, along_v)
+        call report(status, stat, errmsg)
+    end function pdn_parallelogram_surface
 
-    ! mean + rate t + sum of cosines(j) cos(j w t) + sines(j) sin(j w t), with w = 2 pi / period of the solve.
-    function pdn_harmonics(mean, rate, cosines, sines, stat, errmsg) result(signal)
-        real(c_double), intent(in) :: mean, rate, cosines(:), sines(:)
+    ! Makes a surface an annulus or a sector of one: u from the inner to the outer radius, v
+    ! around the axis.
+    function pdn_annulus_surface(centre, axis, start, inner, outer, angle, stat, &
+        errmsg) result(surface)
+        real(c_double), intent(in) :: centre(3), axis(3), start(3), inner, outer, angle
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        type(pdn_signal) :: signal
-        type(c_signal) :: raw
+        type(pdn_surface) :: surface
+        integer(c_int32_t) :: status
 
-        if (.not. fits('sines', shape(sines), shape(cosines), stat, errmsg)) return
-        signal%mean = mean
-        signal%rate = rate
-        allocate (signal%cosines, source=cosines)
-        allocate (signal%sines, source=sines)
-        call pdn_signal_init(raw, c_sizeof(raw))
-        call report(pdn_signal_set_harmonics(raw, mean, rate, cosines, sines, size(cosines, kind=c_size_t)), &
-            stat, errmsg)
-    end function pdn_harmonics
+        call pdn_surface_init(surface, c_sizeof(surface))
+        status = pdn_surface_set_annulus(surface, centre, axis, start, inner, outer, angle)
+        call report(status, stat, errmsg)
+    end function pdn_annulus_surface
 
-    ! rate t + the trigonometric interpolation of equally spaced samples of one period.
-    function pdn_samples(rate, samples, stat, errmsg) result(signal)
-        real(c_double), intent(in) :: rate, samples(:)
+    ! Makes a surface a cylinder or a sector of one: u around the axis, v along it.
+    function pdn_cylinder_surface(centre, axis, start, radius, length, angle, stat, &
+        errmsg) result(surface)
+        real(c_double), intent(in) :: centre(3), axis(3), start(3), radius, length, angle
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        type(pdn_signal) :: signal
-        type(c_signal) :: raw
+        type(pdn_surface) :: surface
+        integer(c_int32_t) :: status
 
-        signal%kind = PDN_SIGNAL_SAMPLES
-        signal%rate = rate
-        allocate (signal%cosines, source=samples)
-        call pdn_signal_init(raw, c_sizeof(raw))
-        call report(pdn_signal_set_samples(raw, rate, samples, size(samples, kind=c_size_t)), stat, errmsg)
-    end function pdn_samples
+        call pdn_surface_init(surface, c_sizeof(surface))
+        status = pdn_surface_set_cylinder(surface, centre, axis, start, radius, length, angle)
+        call report(status, stat, errmsg)
+    end function pdn_cylinder_surface
 
-    ! A function of the caller, of time or, of_phase, of the part of the period that has passed. What user_data
-    ! points to must be there as long as models and solutions that were given the signal.
-    function pdn_function(function, user_data, stat, errmsg, of_phase) result(signal)
-        procedure(pdn_signal_fn) :: function
+    ! Makes a surface one that the caller computes, smooth within each element.
+    function pdn_function_surface(function, user_data, stat, errmsg) result(surface)
+        procedure(pdn_surface_fn) :: function
         type(c_ptr), intent(in), optional :: user_data
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        logical, intent(in), optional :: of_phase
-        type(pdn_signal) :: signal
-        type(c_signal) :: raw
+        type(pdn_surface) :: surface
+        type(c_ptr) :: raw_user_data
+        integer(c_int32_t) :: status
 
-        signal%kind = PDN_SIGNAL_FUNCTION
-        if (present(of_phase)) then
-            if (of_phase) signal%kind = PDN_SIGNAL_FUNCTION_OF_PHASE
+        call pdn_surface_init(surface, c_sizeof(surface))
+        raw_user_data = c_null_ptr
+        if (present(user_data)) raw_user_data = user_data
+        status = pdn_surface_set_function(surface, c_funloc(function), raw_user_data)
+        call report(status, stat, errmsg)
+    end function pdn_function_surface
+
+    ! Makes a section that of one isotropic, linearly elastic material.
+    function pdn_isotropic_shell_section(thickness, young, poisson, density, drilling, &
+        drilling_gradient, stat, errmsg) result(shell_section)
+        real(c_double), intent(in) :: thickness, young, poisson, density
+        real(c_double), intent(in), optional :: drilling, drilling_gradient
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_shell_section) :: shell_section
+        real(c_double) :: raw_drilling, raw_drilling_gradient
+        integer(c_int32_t) :: status
+
+        call pdn_shell_section_init(shell_section, c_sizeof(shell_section))
+        raw_drilling = 1.0_c_double
+        if (present(drilling)) raw_drilling = drilling
+        raw_drilling_gradient = 0.1_c_double
+        if (present(drilling_gradient)) raw_drilling_gradient = drilling_gradient
+        status = pdn_shell_section_set_isotropic(shell_section, thickness, young, poisson, &
+            density, raw_drilling, raw_drilling_gradient)
+        call report(status, stat, errmsg)
+    end function pdn_isotropic_shell_section
+
+    ! Version of the library, such as "0.1.0".
+    function version() result(text)
+        character(:), allocatable :: text
+
+        text = text_at(c_version())
+    end function version
+
+    ! Whether the library serves a program compiled with the header of version major.minor.
+    subroutine version_check(major, minor, stat, errmsg)
+        integer(c_int32_t), intent(in) :: major, minor
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = c_version_check(major, minor)
+        call report(status, stat, errmsg)
+    end subroutine version_check
+
+    ! How the library was built: version, profile and platform, for reports of defects.
+    function build_info() result(text)
+        character(:), allocatable :: text
+
+        text = text_at(c_build_info())
+    end function build_info
+
+    ! Name of a status, such as "PDN_ERR_NULL".
+    function status_name(status) result(text)
+        integer(c_int32_t), intent(in) :: status
+        character(:), allocatable :: text
+
+        text = text_at(c_status_name(status))
+    end function status_name
+
+    ! One-line meaning of a status.
+    function status_message(status) result(text)
+        integer(c_int32_t), intent(in) :: status
+        character(:), allocatable :: text
+
+        text = text_at(c_status_message(status))
+    end function status_message
+
+    ! Message of the last call that failed on this thread: which argument, what was expected, what
+    ! came.
+    function last_error() result(text)
+        character(:), allocatable :: text
+        integer(c_size_t) :: length
+
+        allocate (character(c_last_error(capacity=0_c_size_t) + 1) :: text)
+        length = c_last_error(text, len(text, c_size_t))
+        text = text(:length)
+    end function last_error
+
+    ! Sets the message that pdn_last_error gives on this thread: for libraries on top of this one,
+    ! whose own functions fail.
+    subroutine set_last_error(message, stat, errmsg)
+        character(*), intent(in) :: message
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = c_set_last_error(trim(message)//c_null_char)
+        call report(status, stat, errmsg)
+    end subroutine set_last_error
+
+    ! To be called by a callback that is about to report failure: says why.
+    subroutine set_callback_error(message, stat, errmsg)
+        character(*), intent(in) :: message
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = c_set_callback_error(trim(message)//c_null_char)
+        call report(status, stat, errmsg)
+    end subroutine set_callback_error
+
+    ! Gives a section damping with one time for each force and moment: damping = diag(seconds) *
+    ! stiffness, which must have been set.
+    subroutine section_set_component_damping(section, seconds, stat, errmsg)
+        type(pdn_section), intent(inout) :: section
+        real(c_double), intent(in) :: seconds(6)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = c_section_set_component_damping(section, seconds)
+        call report(status, stat, errmsg)
+    end subroutine section_set_component_damping
+
+    ! Gives a section damping in proportion to its stiffness, which must have been set.
+    subroutine section_set_proportional_damping(section, seconds, stat, errmsg)
+        type(pdn_section), intent(inout) :: section
+        real(c_double), intent(in) :: seconds
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = c_section_set_proportional_damping(section, seconds)
+        call report(status, stat, errmsg)
+    end subroutine section_set_proportional_damping
+
+    ! Gives a section damping in proportion to its stiffness, which must have been set.
+    subroutine shell_section_set_proportional_damping(section, seconds, stat, errmsg)
+        type(pdn_shell_section), intent(inout) :: section
+        real(c_double), intent(in) :: seconds
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = c_shell_section_set_proportional_damping(section, seconds)
+        call report(status, stat, errmsg)
+    end subroutine shell_section_set_proportional_damping
+
+    ! Interpolates a periodic motion given at N equispaced times, by dual polar decomposition.
+    subroutine motion_interpolate(period, positions, rotations, times, position, rotation, &
+        velocity, acceleration, stat, errmsg)
+        real(c_double), intent(in) :: period
+        real(c_double), intent(in), contiguous :: positions(:, :), rotations(:, :), times(:)
+        real(c_double), intent(inout), contiguous, optional :: position(:, :), rotation(:, :), &
+            velocity(:, :), acceleration(:, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: points, count
+        integer(c_int32_t) :: status
+
+        points = size(positions, 2, c_size_t)
+        count = size(times, 1, c_size_t)
+        if (.not. fits('positions', shape(positions), [3, int(points)], stat, errmsg)) return
+        if (.not. fits('rotations', shape(rotations), [9, int(points)], stat, errmsg)) return
+        if (present(position)) then
+            if (.not. fits('position', shape(position), [3, int(count)], stat, errmsg)) return
         end if
-        signal%function = c_funloc(function)
-        if (present(user_data)) signal%user_data = user_data
-        call pdn_signal_init(raw, c_sizeof(raw))
-        if (signal%kind == PDN_SIGNAL_FUNCTION) then
-            call report(pdn_signal_set_function(raw, signal%function, signal%user_data), stat, errmsg)
-        else
-            call report(pdn_signal_set_function_of_phase(raw, signal%function, signal%user_data), stat, errmsg)
+        if (present(rotation)) then
+            if (.not. fits('rotation', shape(rotation), [9, int(count)], stat, errmsg)) return
         end if
-    end function pdn_function
+        if (present(velocity)) then
+            if (.not. fits('velocity', shape(velocity), [6, int(count)], stat, errmsg)) return
+        end if
+        if (present(acceleration)) then
+            if (.not. fits('acceleration', shape(acceleration), [6, int(count)], stat, &
+                errmsg)) return
+        end if
+        status = c_motion_interpolate(period, positions, rotations, points, times, count, &
+            position, rotation, velocity, acceleration)
+        call report(status, stat, errmsg)
+    end subroutine motion_interpolate
 
-    ! The signal as the library takes it, while self is there. Its functions have checked all of it before.
-    subroutine signal_pass(self, raw)
-        class(pdn_signal), intent(in), target :: self
-        type(c_signal), intent(out) :: raw
+    ! Velocities and accelerations of a motion at its own grid points, and their exact
+    ! linearisation.
+    subroutine motion_grid_kinematics(period, positions, rotations, velocity, acceleration, &
+        velocity_tangent, acceleration_tangent, stat, errmsg)
+        real(c_double), intent(in) :: period
+        real(c_double), intent(in), contiguous :: positions(:, :), rotations(:, :)
+        real(c_double), intent(inout), contiguous, optional :: velocity(:, :), &
+            acceleration(:, :), velocity_tangent(:, :), acceleration_tangent(:, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: points
+        integer(c_int32_t) :: status
 
-        call pdn_signal_init(raw, c_sizeof(raw))
-        raw%kind = self%kind
-        raw%rate = self%rate
-        select case (self%kind)
-        case (PDN_SIGNAL_HARMONICS)
-            raw%mean = self%mean
-            if (allocated(self%cosines)) raw%harmonics = size(self%cosines)
-            if (raw%harmonics > 0) then
-                raw%cosines = c_loc(self%cosines)
-                raw%sines = c_loc(self%sines)
-            end if
-        case (PDN_SIGNAL_SAMPLES)
-            raw%sample_count = size(self%cosines)
-            if (raw%sample_count > 0) raw%samples = c_loc(self%cosines)
-        case (PDN_SIGNAL_FUNCTION, PDN_SIGNAL_FUNCTION_OF_PHASE)
-            raw%function = self%function
-            raw%user_data = self%user_data
-        end select
-    end subroutine signal_pass
+        points = size(positions, 2, c_size_t)
+        if (.not. fits('positions', shape(positions), [3, int(points)], stat, errmsg)) return
+        if (.not. fits('rotations', shape(rotations), [9, int(points)], stat, errmsg)) return
+        if (present(velocity)) then
+            if (.not. fits('velocity', shape(velocity), [6, int(points)], stat, errmsg)) return
+        end if
+        if (present(acceleration)) then
+            if (.not. fits('acceleration', shape(acceleration), [6, int(points)], stat, &
+                errmsg)) return
+        end if
+        if (present(velocity_tangent)) then
+            if (.not. fits('velocity_tangent', shape(velocity_tangent), [6*int(points), &
+                6*int(points)], stat, errmsg)) return
+        end if
+        if (present(acceleration_tangent)) then
+            if (.not. fits('acceleration_tangent', shape(acceleration_tangent), [6*int(points), &
+                6*int(points)], stat, errmsg)) return
+        end if
+        status = c_motion_grid_kinematics(period, positions, rotations, points, velocity, &
+            acceleration, velocity_tangent, acceleration_tangent)
+        call report(status, stat, errmsg)
+    end subroutine motion_grid_kinematics
 
-    ! Models --------------------------------------------------------------------------------------------------
+    ! Follows the other branch at a point where one begins: a branch point, or a period doubling,
+    ! from where motions have twice the period, on one grid point less than twice as many.
+    subroutine branch_switch_branch(self, point, amplitude, branch, options, periodic, &
+        conditions, stat, errmsg)
+        class(pdn_branch), intent(in) :: self
+        integer(c_int32_t), intent(in) :: point
+        real(c_double), intent(in) :: amplitude
+        type(pdn_branch), intent(inout) :: branch
+        type(pdn_branch_options), intent(in) :: options
+        type(pdn_periodic_options), intent(in), target, optional :: periodic
+        type(pdn_conditions), intent(in), optional :: conditions
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_branch_options) :: chosen
+        type(c_ptr) :: made
+        integer(c_int32_t) :: status
 
-    ! An empty model, in place of what was held.
+        chosen = options
+        if (present(periodic)) chosen%periodic = c_loc(periodic)
+        if (present(conditions)) chosen%conditions = conditions%c
+        status = pdn_switch_branch(self%c, point, amplitude, chosen, made)
+        if (status == PDN_OK) call branch%adopt(made, pdn_branch_free)
+        call report(status, stat, errmsg)
+    end subroutine branch_switch_branch
+
+    ! Follows folds, period doublings or torus points along a second parameter, from one of them
+    ! on a branch: that of the branch is free beside it.
+    subroutine branch_follow_locus(self, point, parameter, branch, options, periodic, &
+        conditions, stat, errmsg)
+        class(pdn_branch), intent(in) :: self
+        integer(c_int32_t), intent(in) :: point, parameter
+        type(pdn_branch), intent(inout) :: branch
+        type(pdn_branch_options), intent(in) :: options
+        type(pdn_periodic_options), intent(in), target, optional :: periodic
+        type(pdn_conditions), intent(in), optional :: conditions
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_branch_options) :: chosen
+        type(c_ptr) :: made
+        integer(c_int32_t) :: status
+
+        chosen = options
+        if (present(periodic)) chosen%periodic = c_loc(periodic)
+        if (present(conditions)) chosen%conditions = conditions%c
+        status = pdn_follow_locus(self%c, point, parameter, chosen, made)
+        if (status == PDN_OK) call branch%adopt(made, pdn_branch_free)
+        call report(status, stat, errmsg)
+    end subroutine branch_follow_locus
+
+    ! Follows a branch on from its last point, in the direction in which it came there: with a
+    ! wider range, more points, a shorter smallest step.
+    subroutine branch_continue_branch(self, branch, options, periodic, conditions, stat, errmsg)
+        class(pdn_branch), intent(in) :: self
+        type(pdn_branch), intent(inout) :: branch
+        type(pdn_branch_options), intent(in) :: options
+        type(pdn_periodic_options), intent(in), target, optional :: periodic
+        type(pdn_conditions), intent(in), optional :: conditions
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_branch_options) :: chosen
+        type(c_ptr) :: made
+        integer(c_int32_t) :: status
+
+        chosen = options
+        if (present(periodic)) chosen%periodic = c_loc(periodic)
+        if (present(conditions)) chosen%conditions = conditions%c
+        status = pdn_continue_branch(self%c, chosen, made)
+        if (status == PDN_OK) call branch%adopt(made, pdn_branch_free)
+        call report(status, stat, errmsg)
+    end subroutine branch_continue_branch
+
+    ! Saves a branch with its model and all its points.
+    subroutine branch_save(self, path, stat, errmsg)
+        class(pdn_branch), intent(in) :: self
+        character(*), intent(in) :: path
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_branch_save(self%c, trim(path)//c_null_char)
+        call report(status, stat, errmsg)
+    end subroutine branch_save
+
+    ! Loads a branch that save saved.
+    subroutine branch_load(self, path, stat, errmsg)
+        class(pdn_branch), intent(inout) :: self
+        character(*), intent(in) :: path
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: made
+        integer(c_int32_t) :: status
+
+        status = pdn_branch_load(trim(path)//c_null_char, made)
+        if (status == PDN_OK) call self%adopt(made, pdn_branch_free)
+        call report(status, stat, errmsg)
+    end subroutine branch_load
+
+    ! Why a branch ended.
+    subroutine branch_end(self, end, stat, errmsg)
+        class(pdn_branch), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: end
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_branch_end(self%c)
+        if (status >= 0) end = status
+        call report(min(status, PDN_OK), stat, errmsg)
+    end subroutine branch_end
+
+    ! A readable report: points, events, and why the branch ended.
+    function branch_report(self) result(text)
+        class(pdn_branch), intent(in) :: self
+        character(:), allocatable :: text
+        integer(c_size_t) :: length
+
+        allocate (character(pdn_branch_report(self%c, capacity=0_c_size_t) + 1) :: text)
+        length = pdn_branch_report(self%c, text, len(text, c_size_t))
+        text = text(:length)
+    end function branch_report
+
+    ! Number of points of a branch.
+    subroutine branch_count(self, out, stat, errmsg)
+        class(pdn_branch), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: out
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_branch_count(self%c, out)
+        call report(status, stat, errmsg)
+    end subroutine branch_count
+
+    ! A point of a branch.
+    subroutine branch_get(self, point, out, stat, errmsg)
+        class(pdn_branch), intent(in) :: self
+        integer(c_int32_t), intent(in) :: point
+        type(pdn_branch_point), intent(inout) :: out
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_branch_point) :: found_out
+        integer(c_int32_t) :: status
+
+        call pdn_init(found_out)
+        status = pdn_branch_get(self%c, point, found_out)
+        if (status == PDN_OK) out = found_out
+        call report(status, stat, errmsg)
+    end subroutine branch_get
+
+    ! The solution at a point of a branch.
+    subroutine branch_solution(self, point, solution, stat, errmsg)
+        class(pdn_branch), intent(in) :: self
+        integer(c_int32_t), intent(in) :: point
+        type(pdn_solution), intent(inout) :: solution
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: made
+        integer(c_int32_t) :: status
+
+        status = pdn_branch_solution(self%c, point, made)
+        if (status == PDN_OK) call solution%adopt(made, pdn_solution_free)
+        call report(status, stat, errmsg)
+    end subroutine branch_solution
+
+    ! Writes a branch as CSV: a line for each point, with the parameter, how the step went, what
+    ! happens there, what multipliers say if they were wanted (pdn_branch_options%stability) and,
+    ! of each component of quantities, the mean, the size of the first harmonic, the least and the
+    ! largest value over the period.
+    subroutine branch_write_csv(self, path, quantities, stat, errmsg)
+        class(pdn_branch), intent(in) :: self
+        character(*), intent(in) :: path
+        type(pdn_quantity), intent(in), optional :: quantities(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: status
+
+        count = 0
+        if (present(quantities)) count = size(quantities, 1, c_size_t)
+        status = pdn_branch_write_csv(self%c, quantities, count, trim(path)//c_null_char)
+        call report(status, stat, errmsg)
+    end subroutine branch_write_csv
+
+    ! Writes a chart of the exponents of small disturbances along a branch as CSV, as of Campbell:
+    ! of each point that is no event a line for each multiplier, but for conjugates and for those
+    ! that only move the motion in time or space.
+    subroutine branch_write_campbell(self, path, options, blades, stat, errmsg)
+        class(pdn_branch), intent(in) :: self
+        character(*), intent(in) :: path
+        type(pdn_stability_options), intent(in), optional :: options
+        integer(c_int32_t), intent(in), contiguous, optional :: blades(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: status
+
+        count = 0
+        if (present(blades)) count = size(blades, 1, c_size_t)
+        status = pdn_branch_write_campbell(self%c, options, blades, count, &
+            trim(path)//c_null_char)
+        call report(status, stat, errmsg)
+    end subroutine branch_write_campbell
+
+    ! Makes an empty list: no parameter is free.
+    subroutine conditions_new(self, stat, errmsg)
+        class(pdn_conditions), intent(inout) :: self
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: made
+        integer(c_int32_t) :: status
+
+        status = c_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR)
+        if (status == PDN_OK) status = pdn_conditions_new(made)
+        if (status == PDN_OK) call self%adopt(made, pdn_conditions_free)
+        call report(status, stat, errmsg)
+    end subroutine conditions_new
+
+    ! Makes a parameter free: its value in the model is that to start from.
+    subroutine conditions_release(self, parameter, stat, errmsg)
+        class(pdn_conditions), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: parameter
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_conditions_release(self%c, parameter)
+        call report(status, stat, errmsg)
+    end subroutine conditions_release
+
+    ! Adds the condition on the phase: the motion is not ahead of that which the solve starts
+    ! from.
+    subroutine conditions_add_phase(self, stat, errmsg)
+        class(pdn_conditions), intent(inout) :: self
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_conditions_add_phase(self%c)
+        call report(status, stat, errmsg)
+    end subroutine conditions_add_phase
+
+    ! Adds the condition on the phase of a rotation: in the mean over the period and all nodes,
+    ! the motion is not turned about an axis from that which the solve starts from.
+    subroutine conditions_add_rotation_phase(self, axis, point, stat, errmsg)
+        class(pdn_conditions), intent(inout) :: self
+        real(c_double), intent(in) :: axis(3)
+        real(c_double), intent(in), optional :: point(3)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_conditions_add_rotation_phase(self%c, axis, point)
+        call report(status, stat, errmsg)
+    end subroutine conditions_add_rotation_phase
+
+    ! Adds the condition on the phase of a translation: in the mean over the period and all nodes,
+    ! the motion is not moved in a direction from that which the solve starts from.
+    subroutine conditions_add_translation_phase(self, direction, stat, errmsg)
+        class(pdn_conditions), intent(inout) :: self
+        real(c_double), intent(in) :: direction(3)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_conditions_add_translation_phase(self%c, direction)
+        call report(status, stat, errmsg)
+    end subroutine conditions_add_translation_phase
+
+    ! Adds the condition that the mean, a harmonic, or the value at a time, of a quantity is this:
+    ! trim.
+    subroutine conditions_add_quantity(self, quantity, feature, at, value, scale, stat, errmsg)
+        class(pdn_conditions), intent(inout) :: self
+        type(pdn_quantity), intent(in) :: quantity
+        integer(c_int32_t), intent(in) :: feature
+        real(c_double), intent(in) :: at, value
+        real(c_double), intent(in), optional :: scale
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        real(c_double) :: raw_scale
+        integer(c_int32_t) :: status
+
+        raw_scale = 0.0_c_double
+        if (present(scale)) raw_scale = scale
+        status = pdn_conditions_add_quantity(self%c, quantity, feature, at, value, raw_scale)
+        call report(status, stat, errmsg)
+    end subroutine conditions_add_quantity
+
+    ! Adds the condition that a joint coordinate has a value at the start of the period.
+    subroutine conditions_add_joint_coordinate(self, joint, coordinate, value, stat, errmsg)
+        class(pdn_conditions), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: joint, coordinate
+        real(c_double), intent(in) :: value
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_conditions_add_joint_coordinate(self%c, joint, coordinate, value)
+        call report(status, stat, errmsg)
+    end subroutine conditions_add_joint_coordinate
+
+    ! Adds the condition that the mean of the kinetic and the potential energy over the period is
+    ! a value.
+    subroutine conditions_add_energy(self, energy, stat, errmsg)
+        class(pdn_conditions), intent(inout) :: self
+        real(c_double), intent(in) :: energy
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_conditions_add_energy(self%c, energy)
+        call report(status, stat, errmsg)
+    end subroutine conditions_add_energy
+
+    ! Adds the condition that the mean momentum in a direction is a value.
+    subroutine conditions_add_momentum(self, direction, momentum, stat, errmsg)
+        class(pdn_conditions), intent(inout) :: self
+        real(c_double), intent(in) :: direction(3), momentum
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_conditions_add_momentum(self%c, direction, momentum)
+        call report(status, stat, errmsg)
+    end subroutine conditions_add_momentum
+
+    ! Adds the condition that the mean angular momentum about an axis is a value.
+    subroutine conditions_add_angular_momentum(self, axis, momentum, point, stat, errmsg)
+        class(pdn_conditions), intent(inout) :: self
+        real(c_double), intent(in) :: axis(3), momentum
+        real(c_double), intent(in), optional :: point(3)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_conditions_add_angular_momentum(self%c, axis, point, momentum)
+        call report(status, stat, errmsg)
+    end subroutine conditions_add_angular_momentum
+
+    ! Makes the equations of a periodic motion on a grid, or a rank's part.
+    subroutine equations_new(self, model, period, options, initial, owners, stat, errmsg)
+        class(pdn_equations), intent(inout) :: self
+        type(pdn_model), intent(in) :: model
+        real(c_double), intent(in) :: period
+        type(pdn_equations_options), intent(in) :: options
+        type(pdn_solution), intent(in), optional :: initial
+        integer(c_int32_t), intent(in), target, contiguous, optional :: owners(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_equations_options) :: chosen
+        type(c_ptr) :: made
+        integer(c_int32_t) :: status
+
+        chosen = options
+        if (present(initial)) chosen%initial = initial%c
+        if (present(owners)) then
+            chosen%owner_count = size(owners, kind=c_size_t)
+            chosen%owners = c_loc(owners)
+        end if
+        status = c_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR)
+        if (status == PDN_OK) status = pdn_equations_new(model%c, period, chosen, made)
+        if (status == PDN_OK) call self%adopt(made, pdn_equations_free)
+        call report(status, stat, errmsg)
+    end subroutine equations_new
+
+    ! Sizes of the equations, and of the vectors of this rank.
+    subroutine equations_get_sizes(self, out, stat, errmsg)
+        class(pdn_equations), intent(in) :: self
+        type(pdn_equations_sizes), intent(inout) :: out
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_equations_sizes) :: found_out
+        integer(c_int32_t) :: status
+
+        call pdn_init(found_out)
+        status = pdn_equations_get_sizes(self%c, found_out)
+        if (status == PDN_OK) out = found_out
+        call report(status, stat, errmsg)
+    end subroutine equations_get_sizes
+
+    ! Nodes of this rank, in the order of its vectors.
+    subroutine equations_nodes(self, out, stat, errmsg)
+        class(pdn_equations), intent(in) :: self
+        integer(c_int32_t), intent(inout), contiguous :: out(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: status
+
+        count = size(out, 1, c_size_t)
+        status = pdn_equations_nodes(self%c, out, count)
+        call report(status, stat, errmsg)
+    end subroutine equations_nodes
+
+    ! Numbers of this rank's unknowns among those of all ranks: in the order that one rank alone
+    ! has them in, from 0.
+    subroutine equations_numbers(self, out, stat, errmsg)
+        class(pdn_equations), intent(in) :: self
+        integer(c_size_t), intent(inout), contiguous :: out(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: status
+
+        count = size(out, 1, c_size_t)
+        status = pdn_equations_numbers(self%c, out, count)
+        call report(status, stat, errmsg)
+    end subroutine equations_numbers
+
+    ! The present motions of this rank's nodes, and own unknowns of its elements.
+    subroutine equations_state(self, motions, own_unknowns, stat, errmsg)
+        class(pdn_equations), intent(in) :: self
+        real(c_double), intent(inout), contiguous :: motions(:), own_unknowns(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: motion_count, own_count
+        integer(c_int32_t) :: status
+
+        motion_count = size(motions, 1, c_size_t)
+        own_count = size(own_unknowns, 1, c_size_t)
+        status = pdn_equations_state(self%c, motions, motion_count, own_unknowns, own_count)
+        call report(status, stat, errmsg)
+    end subroutine equations_state
+
+    ! Sets motions and own unknowns, as state gives them.
+    subroutine equations_set_state(self, motions, own_unknowns, stat, errmsg)
+        class(pdn_equations), intent(inout) :: self
+        real(c_double), intent(in), contiguous :: motions(:), own_unknowns(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: motion_count, own_count
+        integer(c_int32_t) :: status
+
+        motion_count = size(motions, 1, c_size_t)
+        own_count = size(own_unknowns, 1, c_size_t)
+        status = pdn_equations_set_state(self%c, motions, motion_count, own_unknowns, own_count)
+        call report(status, stat, errmsg)
+    end subroutine equations_set_state
+
+    ! The scaled residual at the present state.
+    subroutine equations_residual(self, out, stat, errmsg)
+        class(pdn_equations), intent(inout) :: self
+        real(c_double), intent(inout), contiguous :: out(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: status
+
+        count = size(out, 1, c_size_t)
+        status = pdn_equations_residual(self%c, out, count)
+        call report(status, stat, errmsg)
+    end subroutine equations_residual
+
+    ! Linearises the equations at the present state, which update then begins at.
+    subroutine equations_linearise(self, stat, errmsg)
+        class(pdn_equations), intent(inout) :: self
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_equations_linearise(self%c)
+        call report(status, stat, errmsg)
+    end subroutine equations_linearise
+
+    ! The product of the scaled Jacobian of the last linearisation and a vector.
+    subroutine equations_product(self, x, out, stat, errmsg)
+        class(pdn_equations), intent(inout) :: self
+        real(c_double), intent(in), contiguous :: x(:)
+        real(c_double), intent(inout), contiguous :: out(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: status
+
+        count = size(x, 1, c_size_t)
+        if (.not. fits('out', shape(out), [int(count)], stat, errmsg)) return
+        status = pdn_equations_product(self%c, x, out, count)
+        call report(status, stat, errmsg)
+    end subroutine equations_product
+
+    ! The product of the transposed scaled Jacobian and a vector.
+    subroutine equations_transposed_product(self, x, out, stat, errmsg)
+        class(pdn_equations), intent(inout) :: self
+        real(c_double), intent(in), contiguous :: x(:)
+        real(c_double), intent(inout), contiguous :: out(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: status
+
+        count = size(x, 1, c_size_t)
+        if (.not. fits('out', shape(out), [int(count)], stat, errmsg)) return
+        status = pdn_equations_transposed_product(self%c, x, out, count)
+        call report(status, stat, errmsg)
+    end subroutine equations_transposed_product
+
+    ! The product of a vector and what multiplies a power of mu in the scaled Jacobian for
+    ! disturbances exp(mu t) times increments of the period: J(mu) = J + mu J1 + mu^2 J2.
+    subroutine equations_power_product(self, power, x, out, stat, errmsg)
+        class(pdn_equations), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: power
+        real(c_double), intent(in), contiguous :: x(:)
+        real(c_double), intent(inout), contiguous :: out(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: status
+
+        count = size(x, 1, c_size_t)
+        if (.not. fits('out', shape(out), [int(count)], stat, errmsg)) return
+        status = pdn_equations_power_product(self%c, power, x, out, count)
+        call report(status, stat, errmsg)
+    end subroutine equations_power_product
+
+    ! Factors the preconditioner of the linearised equations.
+    subroutine equations_factor(self, right_side, regular, stat, errmsg)
+        class(pdn_equations), intent(inout) :: self
+        real(c_double), intent(in), contiguous :: right_side(:)
+        logical, intent(inout) :: regular
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: found_regular, status
+
+        count = size(right_side, 1, c_size_t)
+        status = pdn_equations_factor(self%c, right_side, count, found_regular)
+        if (status == PDN_OK) regular = found_regular /= 0
+        call report(status, stat, errmsg)
+    end subroutine equations_factor
+
+    ! The solution of the preconditioner's equations with a right side.
+    subroutine equations_precondition(self, x, out, stat, errmsg)
+        class(pdn_equations), intent(inout) :: self
+        real(c_double), intent(in), contiguous :: x(:)
+        real(c_double), intent(inout), contiguous :: out(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: status
+
+        count = size(x, 1, c_size_t)
+        if (.not. fits('out', shape(out), [int(count)], stat, errmsg)) return
+        status = pdn_equations_precondition(self%c, x, out, count)
+        call report(status, stat, errmsg)
+    end subroutine equations_precondition
+
+    ! What a scaled increment leaves of the constraints by their compliance in the Jacobian, where
+    ! some depend on others.
+    subroutine equations_compliance(self, increment, out, compliant, stat, errmsg)
+        class(pdn_equations), intent(inout) :: self
+        real(c_double), intent(in), contiguous :: increment(:)
+        real(c_double), intent(inout), contiguous :: out(:)
+        logical, intent(inout) :: compliant
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: found_compliant, status
+
+        count = size(increment, 1, c_size_t)
+        if (.not. fits('out', shape(out), [int(count)], stat, errmsg)) return
+        status = pdn_equations_compliance(self%c, increment, out, count, found_compliant)
+        if (status == PDN_OK) compliant = found_compliant /= 0
+        call report(status, stat, errmsg)
+    end subroutine equations_compliance
+
+    ! Moves the state that the equations were linearised at last by a fraction of a scaled
+    ! increment; the present state is then that.
+    subroutine equations_update(self, increment, step, stat, errmsg)
+        class(pdn_equations), intent(inout) :: self
+        real(c_double), intent(in), contiguous :: increment(:)
+        real(c_double), intent(in), optional :: step
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
+        real(c_double) :: raw_step
+        integer(c_int32_t) :: status
+
+        count = size(increment, 1, c_size_t)
+        raw_step = 1.0_c_double
+        if (present(step)) raw_step = step
+        status = pdn_equations_update(self%c, increment, count, raw_step)
+        call report(status, stat, errmsg)
+    end subroutine equations_update
+
+    ! Sizes of a scaled increment of all ranks, the same on all.
+    subroutine equations_norms(self, increment, motion, own_unknown, stat, errmsg)
+        class(pdn_equations), intent(in) :: self
+        real(c_double), intent(in), contiguous :: increment(:)
+        real(c_double), intent(inout) :: motion, own_unknown
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: status
+
+        count = size(increment, 1, c_size_t)
+        status = pdn_equations_norms(self%c, increment, count, motion, own_unknown)
+        call report(status, stat, errmsg)
+    end subroutine equations_norms
+
+    ! The present state of all ranks as a solution, for results, files, and what else solutions
+    ! are for.
+    subroutine equations_solution(self, outcome, solution, root, stat, errmsg)
+        class(pdn_equations), intent(in) :: self
+        integer(c_int32_t), intent(in) :: outcome
+        type(pdn_solution), intent(inout) :: solution
+        integer(c_int32_t), intent(in), optional :: root
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: raw_root
+        type(c_ptr) :: made
+        integer(c_int32_t) :: status
+
+        raw_root = -1_c_int32_t
+        if (present(root)) raw_root = root
+        status = pdn_equations_solution(self%c, raw_root, outcome, made)
+        if (status == PDN_OK) call solution%adopt(made, pdn_solution_free)
+        call report(status, stat, errmsg)
+    end subroutine equations_solution
+
+    ! Makes an empty model.
     subroutine model_new(self, stat, errmsg)
         class(pdn_model), intent(inout) :: self
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        type(c_ptr) :: c
+        type(c_ptr) :: made
         integer(c_int32_t) :: status
 
-        status = pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR)
-        if (status == PDN_OK) status = pdn_model_new(c)
-        if (status == PDN_OK) call self%adopt(c, pdn_model_free)
+        status = c_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR)
+        if (status == PDN_OK) status = pdn_model_new(made)
+        if (status == PDN_OK) call self%adopt(made, pdn_model_free)
         call report(status, stat, errmsg)
     end subroutine model_new
 
-
-    ! Number of nodes.
+    ! Number of nodes; their ids follow each other from PDN_FIRST_NODE on.
     subroutine model_node_count(self, count, stat, errmsg)
         class(pdn_model), intent(in) :: self
         integer(c_int32_t), intent(inout) :: count
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
 
-        call report(pdn_model_node_count(self%c, count), stat, errmsg)
+        status = pdn_model_node_count(self%c, count)
+        call report(status, stat, errmsg)
     end subroutine model_node_count
 
-    ! Number of joints.
+    ! Number of joints; their ids follow each other from PDN_FIRST_JOINT on.
     subroutine model_joint_count(self, count, stat, errmsg)
         class(pdn_model), intent(in) :: self
         integer(c_int32_t), intent(inout) :: count
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
 
-        call report(pdn_model_joint_count(self%c, count), stat, errmsg)
+        status = pdn_model_joint_count(self%c, count)
+        call report(status, stat, errmsg)
     end subroutine model_joint_count
 
-    ! Number of beam elements.
+    ! Number of beam elements; their ids follow each other from PDN_FIRST_BEAM_ELEMENT on.
     subroutine model_element_count(self, count, stat, errmsg)
         class(pdn_model), intent(in) :: self
         integer(c_int32_t), intent(inout) :: count
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
 
-        call report(pdn_model_element_count(self%c, count), stat, errmsg)
+        status = pdn_model_element_count(self%c, count)
+        call report(status, stat, errmsg)
     end subroutine model_element_count
 
-    ! Labels that messages, reports and files tell; an empty one takes it away.
+    ! Total mass and centre of mass in the reference configuration.
+    subroutine model_mass(self, mass, centre, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        real(c_double), intent(inout) :: mass
+        real(c_double), intent(inout), optional :: centre(3)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_mass(self%c, mass, centre)
+        call report(status, stat, errmsg)
+    end subroutine model_mass
+
+    ! Frame of a node in the reference configuration.
+    subroutine model_node_frame(self, node, frame, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: node
+        type(pdn_frame), intent(inout) :: frame
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_node_frame(self%c, node, frame)
+        call report(status, stat, errmsg)
+    end subroutine model_node_frame
+
+    ! Adds a node: a frame that moves.
+    subroutine model_add_node(self, position, rotation, node, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        real(c_double), intent(in) :: position(3)
+        real(c_double), intent(in), optional :: rotation(3, 3)
+        integer(c_int32_t), intent(inout), optional :: node
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: found_node, status
+
+        status = pdn_model_add_node(self%c, position, rotation, found_node)
+        if (status == PDN_OK) then
+            if (present(node)) node = found_node
+        end if
+        call report(status, stat, errmsg)
+    end subroutine model_add_node
+
+    ! Adds a rigid body: a node at its centre of mass, with axes parallel to the global ones.
+    subroutine model_add_rigid_body(self, mass, centre, inertia, node, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        real(c_double), intent(in) :: mass, centre(3), inertia(3, 3)
+        integer(c_int32_t), intent(inout), optional :: node
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: found_node, status
+
+        status = pdn_model_add_rigid_body(self%c, mass, centre, inertia, found_node)
+        if (status == PDN_OK) then
+            if (present(node)) node = found_node
+        end if
+        call report(status, stat, errmsg)
+    end subroutine model_add_rigid_body
+
+    ! Fixes a mass to a node, in addition to what the node has.
+    subroutine model_add_mass(self, node, mass, centre, inertia, id, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: node
+        real(c_double), intent(in) :: mass, centre(3)
+        real(c_double), intent(in), optional :: inertia(3, 3)
+        integer(c_int32_t), intent(inout), optional :: id
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_add_mass(self%c, node, mass, centre, inertia, id)
+        call report(status, stat, errmsg)
+    end subroutine model_add_mass
+
+    ! Fixes an inertia of any kind to a node, in addition to what the node has.
+    subroutine model_add_inertia(self, node, matrix, frame, id, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: node
+        real(c_double), intent(in) :: matrix(6, 6)
+        type(pdn_frame), intent(in), optional :: frame
+        integer(c_int32_t), intent(inout), optional :: id
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_add_inertia(self%c, node, frame, matrix, id)
+        call report(status, stat, errmsg)
+    end subroutine model_add_inertia
+
+    ! Makes a joint coordinate follow a signal.
+    subroutine model_prescribe(self, joint, coordinate, signal, prescribed, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: joint, coordinate
+        type(pdn_signal), intent(in), target :: signal
+        integer(c_int32_t), intent(inout), optional :: prescribed
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_prescribe(self%c, joint, coordinate, raw_of(signal), prescribed)
+        call report(status, stat, errmsg)
+    end subroutine model_prescribe
+
+    ! Fixes two bodies to each other.
+    subroutine model_add_rigid_joint(self, first, second, point, joint, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first, second
+        real(c_double), intent(in) :: point(3)
+        integer(c_int32_t), intent(inout), optional :: joint
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: found_joint, status
+
+        status = pdn_model_add_rigid_joint(self%c, first, second, point, found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
+        call report(status, stat, errmsg)
+    end subroutine model_add_rigid_joint
+
+    ! Joins two bodies by a hinge.
+    subroutine model_add_revolute(self, first, second, point, axis, joint, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first, second
+        real(c_double), intent(in) :: point(3), axis(3)
+        integer(c_int32_t), intent(inout), optional :: joint
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: found_joint, status
+
+        status = pdn_model_add_revolute(self%c, first, second, point, axis, found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
+        call report(status, stat, errmsg)
+    end subroutine model_add_revolute
+
+    ! Joins two bodies by a slider.
+    subroutine model_add_prismatic(self, first, second, point, axis, joint, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first, second
+        real(c_double), intent(in) :: point(3), axis(3)
+        integer(c_int32_t), intent(inout), optional :: joint
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: found_joint, status
+
+        status = pdn_model_add_prismatic(self%c, first, second, point, axis, found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
+        call report(status, stat, errmsg)
+    end subroutine model_add_prismatic
+
+    ! Joins two bodies by a shaft in a sleeve: one slides along the axis and turns about it.
+    subroutine model_add_cylindrical(self, first, second, point, axis, joint, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first, second
+        real(c_double), intent(in) :: point(3), axis(3)
+        integer(c_int32_t), intent(inout), optional :: joint
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: found_joint, status
+
+        status = pdn_model_add_cylindrical(self%c, first, second, point, axis, found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
+        call report(status, stat, errmsg)
+    end subroutine model_add_cylindrical
+
+    ! Joins two bodies by a screw: the second advances along the axis as it turns about it.
+    subroutine model_add_screw(self, first, second, point, axis, pitch, joint, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first, second
+        real(c_double), intent(in) :: point(3), axis(3), pitch
+        integer(c_int32_t), intent(inout), optional :: joint
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: found_joint, status
+
+        status = pdn_model_add_screw(self%c, first, second, point, axis, pitch, found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
+        call report(status, stat, errmsg)
+    end subroutine model_add_screw
+
+    ! Joins two bodies by a pair of planes that slide and turn on each other.
+    subroutine model_add_planar(self, first, second, point, normal, joint, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first, second
+        real(c_double), intent(in) :: point(3), normal(3)
+        integer(c_int32_t), intent(inout), optional :: joint
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: found_joint, status
+
+        status = pdn_model_add_planar(self%c, first, second, point, normal, found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
+        call report(status, stat, errmsg)
+    end subroutine model_add_planar
+
+    ! Joins two bodies by nothing: a joint that constrains no motion, but has coordinates.
+    subroutine model_add_free_joint(self, first, second, point, joint, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first, second
+        real(c_double), intent(in) :: point(3)
+        integer(c_int32_t), intent(inout), optional :: joint
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: found_joint, status
+
+        status = pdn_model_add_free_joint(self%c, first, second, point, found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
+        call report(status, stat, errmsg)
+    end subroutine model_add_free_joint
+
+    ! Joins two bodies by a ball.
+    subroutine model_add_spherical(self, first, second, point, joint, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first, second
+        real(c_double), intent(in) :: point(3)
+        integer(c_int32_t), intent(inout), optional :: joint
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: found_joint, status
+
+        status = pdn_model_add_spherical(self%c, first, second, point, found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
+        call report(status, stat, errmsg)
+    end subroutine model_add_spherical
+
+    ! Joins two bodies by a cross (Cardan, Hooke).
+    subroutine model_add_universal(self, first, second, point, first_arm, second_arm, joint, &
+        stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first, second
+        real(c_double), intent(in) :: point(3), first_arm(3), second_arm(3)
+        integer(c_int32_t), intent(inout), optional :: joint
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: found_joint, status
+
+        status = pdn_model_add_universal(self%c, first, second, point, first_arm, second_arm, &
+            found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
+        call report(status, stat, errmsg)
+    end subroutine model_add_universal
+
+    ! Adds a strut: the line between a point of each of two bodies.
+    subroutine model_add_strut(self, first, second, first_point, second_point, joint, stat, &
+        errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first, second
+        real(c_double), intent(in) :: first_point(3), second_point(3)
+        integer(c_int32_t), intent(inout), optional :: joint
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: found_joint, status
+
+        status = pdn_model_add_strut(self%c, first, second, first_point, second_point, &
+            found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
+        call report(status, stat, errmsg)
+    end subroutine model_add_strut
+
+    ! Joins two bodies by a joint of any kind, between a frame fixed to each.
+    subroutine model_add_joint(self, kind, first, second, first_frame, second_frame, joint, &
+        stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: kind, first, second
+        type(pdn_frame), intent(in) :: first_frame, second_frame
+        integer(c_int32_t), intent(inout), optional :: joint
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: found_joint, status
+
+        status = pdn_model_add_joint(self%c, kind, first, second, first_frame, second_frame, &
+            found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
+        call report(status, stat, errmsg)
+    end subroutine model_add_joint
+
+    ! Joins two bodies by a screw, between a frame fixed to each.
+    subroutine model_add_screw_between(self, first, second, first_frame, second_frame, pitch, &
+        joint, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first, second
+        type(pdn_frame), intent(in) :: first_frame, second_frame
+        real(c_double), intent(in) :: pitch
+        integer(c_int32_t), intent(inout), optional :: joint
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: found_joint, status
+
+        status = pdn_model_add_screw_between(self%c, first, second, first_frame, second_frame, &
+            pitch, found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
+        call report(status, stat, errmsg)
+    end subroutine model_add_screw_between
+
+    ! Number of linear relations between joint coordinates; their ids follow each other from
+    ! PDN_FIRST_RELATION on.
+    subroutine model_relation_count(self, count, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: count
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_relation_count(self%c, count)
+        call report(status, stat, errmsg)
+    end subroutine model_relation_count
+
+    ! Adds a linear relation between joint coordinates: gears, belts, racks, differentials.
+    subroutine model_add_relation(self, joints, coordinates, coefficients, signal, relation, &
+        stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in), contiguous :: joints(:), coordinates(:)
+        real(c_double), intent(in), contiguous :: coefficients(:)
+        type(pdn_signal), intent(in), target, optional :: signal
+        integer(c_int32_t), intent(inout), optional :: relation
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
+        type(c_signal), allocatable :: raw_signal
+        integer(c_int32_t) :: status
+
+        count = size(joints, 1, c_size_t)
+        if (.not. fits('coordinates', shape(coordinates), [int(count)], stat, errmsg)) return
+        if (.not. fits('coefficients', shape(coefficients), [int(count)], stat, errmsg)) return
+        if (present(signal)) raw_signal = raw_of(signal)
+        status = pdn_model_add_relation(self%c, joints, coordinates, coefficients, count, &
+            raw_signal, relation)
+        call report(status, stat, errmsg)
+    end subroutine model_add_relation
+
+    ! Adds a beam element over nodes that are there; it may be curved and twisted.
+    subroutine model_add_beam_element(self, nodes, section, element, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in), contiguous :: nodes(:)
+        type(pdn_section), intent(in) :: section
+        integer(c_int32_t), intent(inout), optional :: element
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: found_element, status
+
+        count = size(nodes, 1, c_size_t)
+        status = pdn_model_add_beam_element(self%c, nodes, count, section, found_element)
+        if (status == PDN_OK) then
+            if (present(element)) element = found_element
+        end if
+        call report(status, stat, errmsg)
+    end subroutine model_add_beam_element
+
+    ! Adds a straight beam: its nodes and elements.
+    subroutine model_add_straight_beam(self, start, end, axis_2, section, elements, degree, &
+        beam, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        real(c_double), intent(in) :: start(3), end(3), axis_2(3)
+        type(pdn_section), intent(in) :: section
+        integer(c_int32_t), intent(in) :: elements, degree
+        type(pdn_beam), intent(inout) :: beam
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_add_straight_beam(self%c, start, end, axis_2, section, &
+            int(max(elements, 0), c_size_t), int(max(degree, 0), c_size_t), beam)
+        call report(status, stat, errmsg)
+    end subroutine model_add_straight_beam
+
+    ! Adds a beam along a line, with sections that may vary: its nodes and elements.
+    subroutine model_add_beam(self, line, sections, elements, degree, beam, fractions, twists, &
+        stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        type(pdn_line), intent(in) :: line
+        type(pdn_section), intent(in), target, contiguous :: sections(:)
+        integer(c_int32_t), intent(in) :: elements, degree
+        type(pdn_beam), intent(inout) :: beam
+        real(c_double), intent(in), target, contiguous, optional :: fractions(:), twists(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_stations) :: chosen
+        integer(c_int32_t) :: status
+
+        call pdn_init(chosen)
+        chosen%count = size(sections, kind=c_size_t)
+        chosen%sections = c_loc(sections)
+        if (present(fractions)) then
+            if (.not. fits('fractions', shape(fractions), [int(chosen%count)], stat, &
+                errmsg)) return
+            chosen%fractions = c_loc(fractions)
+        end if
+        if (present(twists)) then
+            if (.not. fits('twists', shape(twists), [int(chosen%count)], stat, errmsg)) return
+            chosen%twists = c_loc(twists)
+        end if
+        status = pdn_model_add_beam(self%c, line, chosen, int(max(elements, 0), c_size_t), &
+            int(max(degree, 0), c_size_t), beam)
+        call report(status, stat, errmsg)
+    end subroutine model_add_beam
+
+    ! Adds a beam along a line as add_beam does, with elements between given places.
+    subroutine model_add_beam_between(self, line, sections, boundaries, degree, beam, fractions, &
+        twists, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        type(pdn_line), intent(in) :: line
+        type(pdn_section), intent(in), target, contiguous :: sections(:)
+        real(c_double), intent(in), contiguous :: boundaries(:)
+        integer(c_int32_t), intent(in) :: degree
+        type(pdn_beam), intent(inout) :: beam
+        real(c_double), intent(in), target, contiguous, optional :: fractions(:), twists(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: elements
+        type(pdn_stations) :: chosen
+        integer(c_int32_t) :: status
+
+        elements = max(size(boundaries, 1, c_size_t) - 1, 0_c_size_t)
+        call pdn_init(chosen)
+        chosen%count = size(sections, kind=c_size_t)
+        chosen%sections = c_loc(sections)
+        if (present(fractions)) then
+            if (.not. fits('fractions', shape(fractions), [int(chosen%count)], stat, &
+                errmsg)) return
+            chosen%fractions = c_loc(fractions)
+        end if
+        if (present(twists)) then
+            if (.not. fits('twists', shape(twists), [int(chosen%count)], stat, errmsg)) return
+            chosen%twists = c_loc(twists)
+        end if
+        status = pdn_model_add_beam_between(self%c, line, chosen, boundaries, elements, &
+            int(max(degree, 0), c_size_t), beam)
+        call report(status, stat, errmsg)
+    end subroutine model_add_beam_between
+
+    ! Adds one component of a force or moment on a node, in addition to those that are there.
+    subroutine model_add_load(self, node, frame, component, signal, load, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: node, frame, component
+        type(pdn_signal), intent(in), target :: signal
+        integer(c_int32_t), intent(inout), optional :: load
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_add_load(self%c, node, frame, component, raw_of(signal), load)
+        call report(status, stat, errmsg)
+    end subroutine model_add_load
+
+    ! Sets the acceleration of gravity, in place of any set before.
+    subroutine model_set_gravity(self, acceleration, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        real(c_double), intent(in) :: acceleration(3)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_set_gravity(self%c, acceleration)
+        call report(status, stat, errmsg)
+    end subroutine model_set_gravity
+
+    ! Sets an acceleration of gravity that varies in time, in place of any set before.
+    subroutine model_set_gravity_signals(self, acceleration_1, acceleration_2, acceleration_3, &
+        stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        type(pdn_signal), intent(in), target, optional :: acceleration_1, acceleration_2, &
+            acceleration_3
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_signal), allocatable :: raw_acceleration_1, raw_acceleration_2, &
+            raw_acceleration_3
+        integer(c_int32_t) :: status
+
+        if (present(acceleration_1)) raw_acceleration_1 = raw_of(acceleration_1)
+        if (present(acceleration_2)) raw_acceleration_2 = raw_of(acceleration_2)
+        if (present(acceleration_3)) raw_acceleration_3 = raw_of(acceleration_3)
+        status = pdn_model_set_gravity_signals(self%c, raw_acceleration_1, raw_acceleration_2, &
+            raw_acceleration_3)
+        call report(status, stat, errmsg)
+    end subroutine model_set_gravity_signals
+
+    ! Adds one component of a force or moment distributed along beam elements, in addition to
+    ! those that are there.
+    subroutine model_add_distributed_load(self, first_element, elements, frame, component, &
+        signal, fractions, factors, load, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first_element, elements, frame, component
+        type(pdn_signal), intent(in), target :: signal
+        real(c_double), intent(in), contiguous, optional :: fractions(:), factors(:)
+        integer(c_int32_t), intent(inout), optional :: load
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: status
+
+        count = 0
+        if (present(factors)) count = size(factors, 1, c_size_t)
+        if (present(fractions)) count = size(fractions, 1, c_size_t)
+        if (present(factors)) then
+            if (.not. fits('factors', shape(factors), [int(count)], stat, errmsg)) return
+        end if
+        status = pdn_model_add_distributed_load(self%c, first_element, elements, frame, &
+            component, raw_of(signal), fractions, factors, count, load)
+        call report(status, stat, errmsg)
+    end subroutine model_add_distributed_load
+
+    ! Adds a force and moment distributed along beam elements, all components at all places at
+    ! once, in addition to those that are there: such as the air loads of a blade, at the places
+    ! where these are computed.
+    subroutine model_add_load_at_places(self, first_element, elements, frame, fractions, &
+        signals, axis_2, first_load, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first_element, elements, frame
+        real(c_double), intent(in), contiguous :: fractions(:)
+        type(pdn_signal), intent(in), target :: signals(:, :)
+        real(c_double), intent(in), optional :: axis_2(3)
+        integer(c_int32_t), intent(inout), optional :: first_load
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: status
+
+        count = size(fractions, 1, c_size_t)
+        if (.not. fits('signals', shape(signals), [6, int(count)], stat, errmsg)) return
+        status = pdn_model_add_load_at_places(self%c, first_element, elements, frame, axis_2, &
+            fractions, raw_of(signals), count, first_load)
+        call report(status, stat, errmsg)
+    end subroutine model_add_load_at_places
+
+    ! Describes everything in a frame that turns about a fixed axis at a constant rate, in place
+    ! of any set before: motions that repeat themselves but for a turn in each period are periodic
+    ! there.
+    subroutine model_set_turning_frame(self, axis, rate, point, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        real(c_double), intent(in) :: axis(3), rate
+        real(c_double), intent(in), optional :: point(3)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_set_turning_frame(self%c, axis, rate, point)
+        call report(status, stat, errmsg)
+    end subroutine model_set_turning_frame
+
+    ! The frame that a model is described in, if it turns.
+    subroutine model_turning_frame(self, axis, rate, point, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        real(c_double), intent(inout) :: axis(3), rate, point(3)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_turning_frame(self%c, axis, rate, point)
+        call report(status, stat, errmsg)
+    end subroutine model_turning_frame
+
+    ! Says that the blades of a rotor are alike, in place of what was said before: periodic
+    ! solves, also under conditions, then solve for one blade, the hub and the supports, and the
+    ! others follow.
+    subroutine model_set_rotor_symmetry(self, axis, blades, nodes, hub, point, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        real(c_double), intent(in) :: axis(3)
+        integer(c_int32_t), intent(in) :: blades
+        integer(c_int32_t), intent(in), contiguous :: nodes(:), hub(:)
+        real(c_double), intent(in), optional :: point(3)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count, hub_count
+        integer(c_int32_t) :: status
+
+        count = size(nodes, 1, c_size_t)
+        hub_count = size(hub, 1, c_size_t)
+        status = pdn_model_set_rotor_symmetry(self%c, axis, blades, nodes, count, hub, &
+            hub_count, point)
+        call report(status, stat, errmsg)
+    end subroutine model_set_rotor_symmetry
+
+    ! The rotor whose blades were said to be alike.
+    subroutine model_rotor_symmetry(self, axis, point, blades, nodes_of_blade, hub_nodes, stat, &
+        errmsg)
+        class(pdn_model), intent(in) :: self
+        real(c_double), intent(inout) :: axis(3), point(3)
+        integer(c_int32_t), intent(inout) :: blades, nodes_of_blade, hub_nodes
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_rotor_symmetry(self%c, axis, point, blades, nodes_of_blade, &
+            hub_nodes)
+        call report(status, stat, errmsg)
+    end subroutine model_rotor_symmetry
+
+    ! A node of a rotor whose blades were said to be alike.
+    subroutine model_rotor_node(self, blade, index, node, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: blade, index
+        integer(c_int32_t), intent(inout) :: node
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_rotor_node(self%c, blade, index, node)
+        call report(status, stat, errmsg)
+    end subroutine model_rotor_node
+
+    ! Adds a shell element over a grid of nodes that are there.
+    subroutine model_add_shell_element(self, nodes, n_xi, section, placement, element, stat, &
+        errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in), contiguous :: nodes(:)
+        integer(c_int32_t), intent(in) :: n_xi
+        type(pdn_shell_section), intent(in) :: section
+        type(pdn_shell_placement), intent(in), optional :: placement
+        integer(c_int32_t), intent(inout), optional :: element
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: found_element, status
+
+        count = size(nodes, 1, c_size_t)
+        status = pdn_model_add_shell_element(self%c, nodes, count, int(max(n_xi, 0), c_size_t), &
+            section, placement, found_element)
+        if (status == PDN_OK) then
+            if (present(element)) element = found_element
+        end if
+        call report(status, stat, errmsg)
+    end subroutine model_add_shell_element
+
+    ! Adds a shell over a surface, with elements in equal parts of u and v: its nodes and
+    ! elements.
+    subroutine model_add_shell(self, surface, elements_u, elements_v, degree_u, degree_v, &
+        section, shell, join, placement, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        type(pdn_surface), intent(in) :: surface
+        integer(c_int32_t), intent(in) :: elements_u, elements_v, degree_u, degree_v
+        type(pdn_shell_section), intent(in) :: section
+        type(pdn_shell), intent(inout) :: shell
+        logical, intent(in), optional :: join
+        type(pdn_shell_placement), intent(in), optional :: placement
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: raw_join, status
+
+        raw_join = 1_c_int32_t
+        if (present(join)) raw_join = merge(1_c_int32_t, 0_c_int32_t, join)
+        status = pdn_model_add_shell(self%c, surface, int(max(elements_u, 0), c_size_t), &
+            int(max(elements_v, 0), c_size_t), int(max(degree_u, 0), c_size_t), &
+            int(max(degree_v, 0), c_size_t), raw_join, section, placement, shell)
+        call report(status, stat, errmsg)
+    end subroutine model_add_shell
+
+    ! Adds a shell over given positions of its nodes, as add_shell does over a surface.
+    subroutine model_add_shell_grid(self, points, elements_u, elements_v, degree_u, degree_v, &
+        section, shell, join, placement, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        real(c_double), intent(in), contiguous :: points(:, :)
+        integer(c_int32_t), intent(in) :: elements_u, elements_v, degree_u, degree_v
+        type(pdn_shell_section), intent(in) :: section
+        type(pdn_shell), intent(inout) :: shell
+        logical, intent(in), optional :: join
+        type(pdn_shell_placement), intent(in), optional :: placement
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: raw_join, status
+
+        count = size(points, 2, c_size_t)
+        if (.not. fits('points', shape(points), [3, int(count)], stat, errmsg)) return
+        raw_join = 1_c_int32_t
+        if (present(join)) raw_join = merge(1_c_int32_t, 0_c_int32_t, join)
+        status = pdn_model_add_shell_grid(self%c, points, count, int(max(elements_u, 0), &
+            c_size_t), int(max(elements_v, 0), c_size_t), int(max(degree_u, 0), c_size_t), &
+            int(max(degree_v, 0), c_size_t), raw_join, section, placement, shell)
+        call report(status, stat, errmsg)
+    end subroutine model_add_shell_grid
+
+    ! Adds a shell element for each cell of a mesh of quadrilaterals, as mesh generators make
+    ! them.
+    subroutine model_add_shell_quadrilaterals(self, points, cells, points_of_cell, degree, &
+        section, placement, first_element, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        real(c_double), intent(in), contiguous :: points(:, :)
+        integer(c_int32_t), intent(in), contiguous :: cells(:)
+        integer(c_int32_t), intent(in) :: points_of_cell, degree
+        type(pdn_shell_section), intent(in) :: section
+        type(pdn_shell_placement), intent(in), optional :: placement
+        integer(c_int32_t), intent(inout), optional :: first_element
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: point_count, count
+        integer(c_int32_t) :: found_first_element, status
+
+        point_count = size(points, 2, c_size_t)
+        count = size(cells, 1, c_size_t)
+        if (.not. fits('points', shape(points), [3, int(point_count)], stat, errmsg)) return
+        status = pdn_model_add_shell_quadrilaterals(self%c, points, point_count, cells, count, &
+            int(max(points_of_cell, 0), c_size_t), int(max(degree, 0), c_size_t), section, &
+            placement, found_first_element)
+        if (status == PDN_OK) then
+            if (present(first_element)) first_element = found_first_element
+        end if
+        call report(status, stat, errmsg)
+    end subroutine model_add_shell_quadrilaterals
+
+    ! Node of a shell over a surface or a grid.
+    subroutine model_shell_patch_node(self, shell, u, v, node, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        type(pdn_shell), intent(in) :: shell
+        integer(c_int32_t), intent(in) :: u, v
+        integer(c_int32_t), intent(inout) :: node
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_shell_patch_node(self%c, shell, u, v, node)
+        call report(status, stat, errmsg)
+    end subroutine model_shell_patch_node
+
+    ! Number of shell elements; their ids follow each other from PDN_FIRST_SHELL_ELEMENT on.
+    subroutine model_shell_element_count(self, count, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: count
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_shell_element_count(self%c, count)
+        call report(status, stat, errmsg)
+    end subroutine model_shell_element_count
+
+    ! Node of a shell element.
+    subroutine model_shell_node(self, element, xi, eta, node, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: element, xi, eta
+        integer(c_int32_t), intent(inout) :: node
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_shell_node(self%c, element, xi, eta, node)
+        call report(status, stat, errmsg)
+    end subroutine model_shell_node
+
+    ! Adds one component of a force or moment on shell elements, in addition to those that are
+    ! there: for each unit of reference area, or of reference length of an edge.
+    subroutine model_add_shell_load(self, first_element, elements, place, frame, component, &
+        signal, load, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first_element, elements, place, frame, component
+        type(pdn_signal), intent(in), target :: signal
+        integer(c_int32_t), intent(inout), optional :: load
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_add_shell_load(self%c, first_element, elements, place, frame, &
+            component, raw_of(signal), load)
+        call report(status, stat, errmsg)
+    end subroutine model_add_shell_load
+
+    ! Gives shell elements forces and moments where nothing is strained: initial stress, in place
+    ! of any before.
+    subroutine model_set_shell_prestress(self, first_element, elements, resultants, stat, &
+        errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first_element, elements
+        real(c_double), intent(in) :: resultants(12)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_set_shell_prestress(self%c, first_element, elements, resultants)
+        call report(status, stat, errmsg)
+    end subroutine model_set_shell_prestress
+
+    ! Fixes nodes to a body, by a rigid joint each as add_rigid_joint makes: such as the nodes
+    ! along an edge of a shell, which then moves as a part of the body.
+    subroutine model_add_rigid_joints(self, body, nodes, first_joint, joints, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: body
+        integer(c_int32_t), intent(in), contiguous :: nodes(:)
+        integer(c_int32_t), intent(inout), optional :: first_joint, joints
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: found_first_joint, found_joints, status
+
+        count = size(nodes, 1, c_size_t)
+        status = pdn_model_add_rigid_joints(self%c, body, nodes, count, found_first_joint, &
+            found_joints)
+        if (status == PDN_OK) then
+            if (present(first_joint)) first_joint = found_first_joint
+            if (present(joints)) joints = found_joints
+        end if
+        call report(status, stat, errmsg)
+    end subroutine model_add_rigid_joints
+
+    ! Fixes a whole edge of a shell over a surface or a grid to a body: add_rigid_joints with the
+    ! nodes along it.
+    subroutine model_add_rigid_edge(self, body, shell, edge, first_joint, joints, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: body
+        type(pdn_shell), intent(in) :: shell
+        integer(c_int32_t), intent(in) :: edge
+        integer(c_int32_t), intent(inout), optional :: first_joint, joints
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: found_first_joint, found_joints, status
+
+        status = pdn_model_add_rigid_edge(self%c, body, shell, edge, found_first_joint, &
+            found_joints)
+        if (status == PDN_OK) then
+            if (present(first_joint)) first_joint = found_first_joint
+            if (present(joints)) joints = found_joints
+        end if
+        call report(status, stat, errmsg)
+    end subroutine model_add_rigid_edge
+
+    ! Number of forces: springs, dampers, actuators and the like, but not loads; their ids follow
+    ! each other from PDN_FIRST_FORCE on.
+    subroutine model_force_count(self, count, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: count
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_force_count(self%c, count)
+        call report(status, stat, errmsg)
+    end subroutine model_force_count
+
+    ! Adds a linear spring with a damper on a joint coordinate, in addition to those that are
+    ! there.
+    subroutine model_add_spring_damper(self, joint, coordinate, stiffness, damping, rest, force, &
+        stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: joint, coordinate
+        real(c_double), intent(in) :: stiffness
+        real(c_double), intent(in), optional :: damping, rest
+        integer(c_int32_t), intent(inout), optional :: force
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        real(c_double) :: raw_damping, raw_rest
+        integer(c_int32_t) :: status
+
+        raw_damping = 0.0_c_double
+        if (present(damping)) raw_damping = damping
+        raw_rest = 0.0_c_double
+        if (present(rest)) raw_rest = rest
+        status = pdn_model_add_spring_damper(self%c, joint, coordinate, stiffness, raw_damping, &
+            raw_rest, force)
+        call report(status, stat, errmsg)
+    end subroutine model_add_spring_damper
+
+    ! Adds a nonlinear spring with a damper on a joint coordinate: polynomials of the coordinate
+    ! and its rate.
+    subroutine model_add_nonlinear_spring_damper(self, joint, coordinate, stiffness, damping, &
+        rest, force, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: joint, coordinate
+        real(c_double), intent(in), contiguous, optional :: stiffness(:), damping(:)
+        real(c_double), intent(in), optional :: rest
+        integer(c_int32_t), intent(inout), optional :: force
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: stiffness_count, damping_count
+        real(c_double) :: raw_rest
+        integer(c_int32_t) :: status
+
+        stiffness_count = 0
+        if (present(stiffness)) stiffness_count = size(stiffness, 1, c_size_t)
+        damping_count = 0
+        if (present(damping)) damping_count = size(damping, 1, c_size_t)
+        raw_rest = 0.0_c_double
+        if (present(rest)) raw_rest = rest
+        status = pdn_model_add_nonlinear_spring_damper(self%c, joint, coordinate, stiffness, &
+            stiffness_count, damping, damping_count, raw_rest, force)
+        call report(status, stat, errmsg)
+    end subroutine model_add_nonlinear_spring_damper
+
+    ! Adds an actuator: a force on a displacement, or a torque on an angle, that follows a signal.
+    subroutine model_add_actuator(self, joint, coordinate, signal, force, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: joint, coordinate
+        type(pdn_signal), intent(in), target :: signal
+        integer(c_int32_t), intent(inout), optional :: force
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_add_actuator(self%c, joint, coordinate, raw_of(signal), force)
+        call report(status, stat, errmsg)
+    end subroutine model_add_actuator
+
+    ! Adds a viscoelastic element on a joint coordinate: a generalised Maxwell model.
+    subroutine model_add_viscoelastic(self, joint, coordinate, stiffness, rest, &
+        branch_stiffness, relaxation_times, force, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: joint, coordinate
+        real(c_double), intent(in) :: stiffness, rest
+        real(c_double), intent(in), contiguous :: branch_stiffness(:), relaxation_times(:)
+        integer(c_int32_t), intent(inout), optional :: force
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: branches
+        integer(c_int32_t) :: status
+
+        branches = size(branch_stiffness, 1, c_size_t)
+        if (.not. fits('relaxation_times', shape(relaxation_times), [int(branches)], stat, &
+            errmsg)) return
+        status = pdn_model_add_viscoelastic(self%c, joint, coordinate, stiffness, rest, &
+            branch_stiffness, relaxation_times, branches, force)
+        call report(status, stat, errmsg)
+    end subroutine model_add_viscoelastic
+
+    ! Adds a viscous damper between two bodies, with a full matrix of coefficients.
+    subroutine model_add_viscous_damper(self, first, second, matrix, frame, force, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first, second
+        real(c_double), intent(in) :: matrix(6, 6)
+        type(pdn_frame), intent(in), optional :: frame
+        integer(c_int32_t), intent(inout), optional :: force
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_add_viscous_damper(self%c, first, second, frame, matrix, force)
+        call report(status, stat, errmsg)
+    end subroutine model_add_viscous_damper
+
+    ! Adds a bushing, a bearing or a seal: any matrices of stiffness and damping between two
+    ! frames, unsymmetric ones included.
+    subroutine model_add_bushing(self, first, second, first_frame, second_frame, stiffness, &
+        damping, angles, force, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first, second
+        type(pdn_frame), intent(in) :: first_frame, second_frame
+        real(c_double), intent(in) :: stiffness(6, 6), damping(6, 6)
+        integer(c_int32_t), intent(in) :: angles
+        integer(c_int32_t), intent(inout), optional :: force
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_add_bushing(self%c, first, second, first_frame, second_frame, &
+            stiffness, damping, angles, force)
+        call report(status, stat, errmsg)
+    end subroutine model_add_bushing
+
+    ! Adds a spring-damper on a joint coordinate whose law is a function of the caller.
+    subroutine model_add_coordinate_law(self, joint, coordinate, tangents, function, user_data, &
+        destroy, force, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: joint, coordinate, tangents
+        procedure(pdn_coordinate_law_fn) :: function
+        type(c_ptr), intent(in), optional :: user_data
+        procedure(pdn_destroy_fn), optional :: destroy
+        integer(c_int32_t), intent(inout), optional :: force
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: raw_user_data
+        type(c_funptr) :: raw_destroy
+        integer(c_int32_t) :: status
+
+        raw_user_data = c_null_ptr
+        if (present(user_data)) raw_user_data = user_data
+        raw_destroy = c_null_funptr
+        if (present(destroy)) raw_destroy = c_funloc(destroy)
+        status = pdn_model_add_coordinate_law(self%c, joint, coordinate, tangents, &
+            c_funloc(function), raw_user_data, raw_destroy, force)
+        call report(status, stat, errmsg)
+    end subroutine model_add_coordinate_law
+
+    ! Adds forces on nodes that a function of the caller computes.
+    subroutine model_add_user_force(self, nodes, frame, tangents, function, user_data, destroy, &
+        force, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in), contiguous :: nodes(:)
+        integer(c_int32_t), intent(in) :: frame, tangents
+        procedure(pdn_user_force_fn) :: function
+        type(c_ptr), intent(in), optional :: user_data
+        procedure(pdn_destroy_fn), optional :: destroy
+        integer(c_int32_t), intent(inout), optional :: force
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
+        type(c_ptr) :: raw_user_data
+        type(c_funptr) :: raw_destroy
+        integer(c_int32_t) :: status
+
+        count = size(nodes, 1, c_size_t)
+        raw_user_data = c_null_ptr
+        if (present(user_data)) raw_user_data = user_data
+        raw_destroy = c_null_funptr
+        if (present(destroy)) raw_destroy = c_funloc(destroy)
+        status = pdn_model_add_user_force(self%c, nodes, count, frame, tangents, &
+            c_funloc(function), raw_user_data, raw_destroy, force)
+        call report(status, stat, errmsg)
+    end subroutine model_add_user_force
+
+    ! Compares the tangents that a user's function gives with differences of its forces.
+    subroutine model_check_tangents(self, force, period, check, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: force
+        real(c_double), intent(in) :: period
+        type(pdn_tangent_check), intent(inout) :: check
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_tangent_check) :: found_check
+        integer(c_int32_t) :: status
+
+        call pdn_init(found_check)
+        status = pdn_model_check_tangents(self%c, force, period, found_check)
+        if (status == PDN_OK) check = found_check
+        call report(status, stat, errmsg)
+    end subroutine model_check_tangents
+
+    ! Adds a controller: efforts on joint coordinates by a function of the caller that reads any
+    ! joint coordinates and their rates, and may have states of its own.
+    subroutine model_add_controller(self, output_joints, output_coordinates, tangents, function, &
+        input_joints, input_coordinates, initial, sizes, user_data, destroy, force, stat, &
+        errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in), contiguous :: output_joints(:), output_coordinates(:)
+        integer(c_int32_t), intent(in) :: tangents
+        procedure(pdn_controller_fn) :: function
+        integer(c_int32_t), intent(in), contiguous, optional :: input_joints(:), &
+            input_coordinates(:)
+        real(c_double), intent(in), contiguous, optional :: initial(:), sizes(:)
+        type(c_ptr), intent(in), optional :: user_data
+        procedure(pdn_destroy_fn), optional :: destroy
+        integer(c_int32_t), intent(inout), optional :: force
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: input_count, output_count, state_count
+        type(c_ptr) :: raw_user_data
+        type(c_funptr) :: raw_destroy
+        integer(c_int32_t) :: status
+
+        input_count = 0
+        if (present(input_coordinates)) input_count = size(input_coordinates, 1, c_size_t)
+        if (present(input_joints)) input_count = size(input_joints, 1, c_size_t)
+        output_count = size(output_joints, 1, c_size_t)
+        state_count = 0
+        if (present(sizes)) state_count = size(sizes, 1, c_size_t)
+        if (present(initial)) state_count = size(initial, 1, c_size_t)
+        if (present(input_coordinates)) then
+            if (.not. fits('input_coordinates', shape(input_coordinates), [int(input_count)], &
+                stat, errmsg)) return
+        end if
+        if (.not. fits('output_coordinates', shape(output_coordinates), [int(output_count)], &
+            stat, errmsg)) return
+        if (present(sizes)) then
+            if (.not. fits('sizes', shape(sizes), [int(state_count)], stat, errmsg)) return
+        end if
+        raw_user_data = c_null_ptr
+        if (present(user_data)) raw_user_data = user_data
+        raw_destroy = c_null_funptr
+        if (present(destroy)) raw_destroy = c_funloc(destroy)
+        status = pdn_model_add_controller(self%c, input_joints, input_coordinates, input_count, &
+            output_joints, output_coordinates, output_count, initial, sizes, state_count, &
+            tangents, c_funloc(function), raw_user_data, raw_destroy, force)
+        call report(status, stat, errmsg)
+    end subroutine model_add_controller
+
+    ! Gives a controller its function, or another one: that of a model from a file is not there.
+    subroutine model_bind_controller(self, force, tangents, function, user_data, destroy, stat, &
+        errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: force, tangents
+        procedure(pdn_controller_fn) :: function
+        type(c_ptr), intent(in), optional :: user_data
+        procedure(pdn_destroy_fn), optional :: destroy
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: raw_user_data
+        type(c_funptr) :: raw_destroy
+        integer(c_int32_t) :: status
+
+        raw_user_data = c_null_ptr
+        if (present(user_data)) raw_user_data = user_data
+        raw_destroy = c_null_funptr
+        if (present(destroy)) raw_destroy = c_funloc(destroy)
+        status = pdn_model_bind_controller(self%c, force, tangents, c_funloc(function), &
+            raw_user_data, raw_destroy)
+        call report(status, stat, errmsg)
+    end subroutine model_bind_controller
+
+    ! Numbers of the coordinates that a controller reads, of those that it acts on, and of its
+    ! states.
+    subroutine model_controller_counts(self, force, input_count, output_count, state_count, &
+        stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: force
+        integer(c_int32_t), intent(inout), optional :: input_count, output_count, state_count
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_controller_counts(self%c, force, input_count, output_count, &
+            state_count)
+        call report(status, stat, errmsg)
+    end subroutine model_controller_counts
+
+    ! A coordinate that a controller reads or acts on.
+    subroutine model_controller_coordinate(self, force, index, joint, coordinate, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: force, index
+        integer(c_int32_t), intent(inout) :: joint, coordinate
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_controller_coordinate(self%c, force, index, joint, coordinate)
+        call report(status, stat, errmsg)
+    end subroutine model_controller_coordinate
+
+    ! A state of a controller.
+    subroutine model_controller_state(self, force, index, initial, size, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: force, index
+        real(c_double), intent(inout), optional :: initial, size
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_controller_state(self%c, force, index, initial, size)
+        call report(status, stat, errmsg)
+    end subroutine model_controller_state
+
+    ! Adds forces on shell elements that a function of the caller computes at the points of a
+    ! quadrature: a force, with an id of its own, for each element.
+    subroutine model_add_surface_force(self, first_element, elements, place, frame, tangents, &
+        function, user_data, destroy, first_force, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first_element, elements, place, frame, tangents
+        procedure(pdn_surface_force_fn) :: function
+        type(c_ptr), intent(in), optional :: user_data
+        procedure(pdn_destroy_fn), optional :: destroy
+        integer(c_int32_t), intent(inout), optional :: first_force
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: raw_user_data
+        type(c_funptr) :: raw_destroy
+        integer(c_int32_t) :: status
+
+        raw_user_data = c_null_ptr
+        if (present(user_data)) raw_user_data = user_data
+        raw_destroy = c_null_funptr
+        if (present(destroy)) raw_destroy = c_funloc(destroy)
+        status = pdn_model_add_surface_force(self%c, first_element, elements, place, frame, &
+            tangents, c_funloc(function), raw_user_data, raw_destroy, first_force)
+        call report(status, stat, errmsg)
+    end subroutine model_add_surface_force
+
+    ! Gives a node, joint, element, force, load or the like a label, in place of the one that it
+    ! has.
     subroutine model_set_label(self, kind, id, label, stat, errmsg)
         class(pdn_model), intent(inout) :: self
         integer(c_int32_t), intent(in) :: kind, id
-        character(*), intent(in) :: label
+        character(*), intent(in), optional :: label
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        character(:), allocatable :: raw_label
+        integer(c_int32_t) :: status
 
-        call report(pdn_model_set_label(self%c, kind, id, label//c_null_char), stat, errmsg)
+        if (present(label)) raw_label = trim(label)//c_null_char
+        status = pdn_model_set_label(self%c, kind, id, raw_label)
+        call report(status, stat, errmsg)
     end subroutine model_set_label
 
-    ! Empty if there is none.
-    subroutine model_label(self, kind, id, label)
+    ! The label of a node, joint, element, force, load or the like.
+    function model_label(self, kind, id) result(text)
         class(pdn_model), intent(in) :: self
         integer(c_int32_t), intent(in) :: kind, id
-        character(:), allocatable, intent(inout) :: label
-        character(kind=c_char) :: buffer(PDN_LABEL_LENGTH + 1)
+        character(:), allocatable :: text
         integer(c_size_t) :: length
 
-        length = pdn_model_label(self%c, kind, id, buffer, size(buffer, kind=c_size_t))
-        label = joined(buffer(:length))
-    end subroutine model_label
+        allocate (character(pdn_model_label(self%c, kind, id, capacity=0_c_size_t) + 1) :: text)
+        length = pdn_model_label(self%c, kind, id, text, len(text, c_size_t))
+        text = text(:length)
+    end function model_label
 
-    ! What has a label.
+    ! The node, joint, element, force, load or the like that has a label.
     subroutine model_find_label(self, kind, label, id, stat, errmsg)
         class(pdn_model), intent(in) :: self
         integer(c_int32_t), intent(in) :: kind
@@ -4430,231 +6690,90 @@ contains
         integer(c_int32_t), intent(inout) :: id
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
 
-        call report(pdn_model_find_label(self%c, kind, label//c_null_char, id), stat, errmsg)
+        status = pdn_model_find_label(self%c, kind, trim(label)//c_null_char, id)
+        call report(status, stat, errmsg)
     end subroutine model_find_label
 
-    ! Kind, bodies and frames of a joint.
-    subroutine model_joint(self, joint, info, stat, errmsg)
+    ! Finds the periodic response of a model directly, by Fourier spectral collocation.
+    subroutine model_solve_periodic(self, period, solution, options, initial, guess_positions, &
+        guess_rotations, event_times, event_widths, event_shares, stat, errmsg)
         class(pdn_model), intent(in) :: self
-        integer(c_int32_t), intent(in) :: joint
-        type(pdn_joint_info), intent(inout) :: info
+        real(c_double), intent(in) :: period
+        type(pdn_solution), intent(inout) :: solution
+        type(pdn_periodic_options), intent(in), optional :: options
+        type(pdn_solution), intent(in), optional :: initial
+        real(c_double), intent(in), target, contiguous, optional :: guess_positions(:, :, :), &
+            guess_rotations(:, :, :), event_times(:), event_widths(:), event_shares(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        type(pdn_joint_info) :: found
+        type(pdn_periodic_options) :: chosen
+        type(c_ptr) :: made
         integer(c_int32_t) :: status
 
-        call pdn_joint_info_init(found, c_sizeof(found))
-        status = pdn_model_joint(self%c, joint, found)
-        if (status == PDN_OK) info = found
+        call pdn_init(chosen)
+        if (present(options)) chosen = options
+        if (present(initial)) chosen%initial = initial%c
+        if (present(guess_positions)) then
+            if (.not. fits('guess_positions', shape(guess_positions), [3, &
+                int(merge(2*chosen%harmonics + 1, chosen%grid_points, chosen%harmonics > 0)), &
+                nodes_of(self)], stat, errmsg)) return
+            chosen%guess_positions = c_loc(guess_positions)
+        end if
+        if (present(guess_rotations)) then
+            if (.not. fits('guess_rotations', shape(guess_rotations), [9, &
+                int(merge(2*chosen%harmonics + 1, chosen%grid_points, chosen%harmonics > 0)), &
+                nodes_of(self)], stat, errmsg)) return
+            chosen%guess_rotations = c_loc(guess_rotations)
+        end if
+        if (present(event_times)) then
+            chosen%event_count = size(event_times, kind=c_size_t)
+            chosen%event_times = c_loc(event_times)
+        end if
+        if (present(event_widths)) then
+            if (.not. fits('event_widths', shape(event_widths), [int(chosen%event_count)], stat, &
+                errmsg)) return
+            chosen%event_widths = c_loc(event_widths)
+        end if
+        if (present(event_shares)) then
+            if (.not. fits('event_shares', shape(event_shares), [int(chosen%event_count)], stat, &
+                errmsg)) return
+            chosen%event_shares = c_loc(event_shares)
+        end if
+        status = pdn_solve_periodic(self%c, period, chosen, made)
+        if (status == PDN_OK) call solution%adopt(made, pdn_solution_free)
         call report(status, stat, errmsg)
-    end subroutine model_joint
+    end subroutine model_solve_periodic
 
-    ! Kind, bodies and frames of a force.
-    subroutine model_force(self, force, info, stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        integer(c_int32_t), intent(in) :: force
-        type(pdn_force_info), intent(inout) :: info
+    ! Adds a parameter: a named number that moves what move_number and move_signal say.
+    subroutine model_add_parameter(self, name, value, scale, out, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        character(*), intent(in) :: name
+        real(c_double), intent(in) :: value, scale
+        integer(c_int32_t), intent(inout), optional :: out
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        type(pdn_force_info) :: found
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_out, status
 
-        call pdn_force_info_init(found, c_sizeof(found))
-        status = pdn_model_force(self%c, force, found)
-        if (status == PDN_OK) info = found
+        status = pdn_model_add_parameter(self%c, trim(name)//c_null_char, value, scale, &
+            found_out)
+        if (status == PDN_OK) then
+            if (present(out)) out = found_out
+        end if
         call report(status, stat, errmsg)
-    end subroutine model_force
+    end subroutine model_add_parameter
 
-    ! A number of a force; index is from 0.
-    subroutine model_force_number(self, force, number, index, value, stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        integer(c_int32_t), intent(in) :: force, number, index
-        real(c_double), intent(inout) :: value
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_force_number(self%c, force, number, index, value), stat, errmsg)
-    end subroutine model_force_number
-
-    ! A node of forces of the user; index is from 0.
-    subroutine model_force_node(self, force, index, node, stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        integer(c_int32_t), intent(in) :: force, index
-        integer(c_int32_t), intent(inout) :: node
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_force_node(self%c, force, index, node), stat, errmsg)
-    end subroutine model_force_node
-
-    ! Number of nodes of a beam element.
-    subroutine model_beam_element_node_count(self, element, count, stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        integer(c_int32_t), intent(in) :: element
-        integer(c_int32_t), intent(inout) :: count
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_beam_element_node_count(self%c, element, count), stat, errmsg)
-    end subroutine model_beam_element_node_count
-
-    ! A node of a beam element; index is from 0.
-    subroutine model_beam_element_node(self, element, index, node, stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        integer(c_int32_t), intent(in) :: element, index
-        integer(c_int32_t), intent(inout) :: node
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_beam_element_node(self%c, element, index, node), stat, errmsg)
-    end subroutine model_beam_element_node
-
-    ! Section of a beam element at a place from -1 to 1, and its twist.
-    subroutine model_beam_section(self, element, station, section, twist, stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        integer(c_int32_t), intent(in) :: element
-        real(c_double), intent(in) :: station
-        type(pdn_section), intent(inout) :: section
-        real(c_double), intent(inout), optional :: twist
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(pdn_section) :: found
-        integer(c_int32_t) :: status
-
-        call pdn_section_init(found, c_sizeof(found))
-        status = pdn_model_beam_section(self%c, element, station, found, twist)
-        if (status == PDN_OK) section = found
-        call report(status, stat, errmsg)
-    end subroutine model_beam_section
-
-    ! Number of bodies, masses and inertias.
-    subroutine model_inertia_count(self, count, stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        integer(c_int32_t), intent(inout) :: count
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_inertia_count(self%c, count), stat, errmsg)
-    end subroutine model_inertia_count
-
-    ! Node and matrix of a body, mass or inertia.
-    subroutine model_inertia(self, inertia, node, matrix, stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        integer(c_int32_t), intent(in) :: inertia
-        integer(c_int32_t), intent(inout) :: node
-        real(c_double), intent(inout) :: matrix(6, 6)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_inertia(self%c, inertia, node, matrix), stat, errmsg)
-    end subroutine model_inertia
-
-    ! The inertia of a node: of a rigid body its own.
-    subroutine model_inertia_of(self, node, inertia, stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        integer(c_int32_t), intent(in) :: node
-        integer(c_int32_t), intent(inout) :: inertia
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_inertia_of(self%c, node, inertia), stat, errmsg)
-    end subroutine model_inertia_of
-
-    ! A prescribed coordinate.
-    subroutine model_prescribed(self, prescribed, joint, coordinate, stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        integer(c_int32_t), intent(in) :: prescribed
-        integer(c_int32_t), intent(inout) :: joint, coordinate
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_prescribed(self%c, prescribed, joint, coordinate), stat, errmsg)
-    end subroutine model_prescribed
-
-    ! Number of loads on nodes.
-    subroutine model_load_count(self, count, stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        integer(c_int32_t), intent(inout) :: count
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_load_count(self%c, count), stat, errmsg)
-    end subroutine model_load_count
-
-    ! A load on a node.
-    subroutine model_load_at(self, load, node, frame, stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        integer(c_int32_t), intent(in) :: load
-        integer(c_int32_t), intent(inout) :: node, frame
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_load_at(self%c, load, node, frame), stat, errmsg)
-    end subroutine model_load_at
-
-    ! Number of loads along beam elements.
-    subroutine model_beam_load_count(self, count, stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        integer(c_int32_t), intent(inout) :: count
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_beam_load_count(self%c, count), stat, errmsg)
-    end subroutine model_beam_load_count
-
-    ! A load along beam elements, and its number of places.
-    subroutine model_beam_load(self, load, first_element, elements, frame, places, axis_2, stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        integer(c_int32_t), intent(in) :: load
-        integer(c_int32_t), intent(inout) :: first_element, elements, frame, places
-        real(c_double), intent(inout), optional :: axis_2(3)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_beam_load(self%c, load, first_element, elements, frame, axis_2, places), stat, errmsg)
-    end subroutine model_beam_load
-
-    ! Factor of a load along beam elements at a place; index is from 0.
-    subroutine model_beam_load_factor(self, load, index, fraction, factor, stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        integer(c_int32_t), intent(in) :: load, index
-        real(c_double), intent(inout) :: fraction, factor
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_beam_load_factor(self%c, load, index, fraction, factor), stat, errmsg)
-    end subroutine model_beam_load_factor
-
-    ! Number of loads on shell elements.
-    subroutine model_shell_load_count(self, count, stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        integer(c_int32_t), intent(inout) :: count
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_shell_load_count(self%c, count), stat, errmsg)
-    end subroutine model_shell_load_count
-
-    ! A load on shell elements.
-    subroutine model_shell_load(self, load, first_element, elements, place, frame, stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        integer(c_int32_t), intent(in) :: load
-        integer(c_int32_t), intent(inout) :: first_element, elements, place, frame
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_shell_load(self%c, load, first_element, elements, place, frame), stat, errmsg)
-    end subroutine model_shell_load
-
-    ! Number of parameters.
+    ! Number of parameters; their ids follow each other from PDN_FIRST_PARAMETER on.
     subroutine model_parameter_count(self, count, stat, errmsg)
         class(pdn_model), intent(in) :: self
         integer(c_int32_t), intent(inout) :: count
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
 
-        call report(pdn_model_parameter_count(self%c, count), stat, errmsg)
+        status = pdn_model_parameter_count(self%c, count)
+        call report(status, stat, errmsg)
     end subroutine model_parameter_count
 
     ! Value and scale of a parameter.
@@ -4665,23 +6784,24 @@ contains
         real(c_double), intent(inout), optional :: scale
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
 
-        call report(pdn_model_parameter(self%c, parameter, value, scale), stat, errmsg)
+        status = pdn_model_parameter(self%c, parameter, value, scale)
+        call report(status, stat, errmsg)
     end subroutine model_parameter
 
-    ! The name of a parameter, empty if there is no such parameter.
-    subroutine model_parameter_name(self, parameter, name)
+    ! The name of a parameter.
+    function model_parameter_name(self, parameter) result(text)
         class(pdn_model), intent(in) :: self
         integer(c_int32_t), intent(in) :: parameter
-        character(:), allocatable, intent(inout) :: name
-        character(kind=c_char), allocatable :: buffer(:)
+        character(:), allocatable :: text
         integer(c_size_t) :: length
 
-        length = pdn_model_parameter_name(self%c, parameter, capacity=0_c_size_t)
-        allocate (buffer(length + 1))
-        length = pdn_model_parameter_name(self%c, parameter, buffer, length + 1)
-        name = joined(buffer(:length))
-    end subroutine model_parameter_name
+        allocate (character(pdn_model_parameter_name(self%c, parameter, &
+            capacity=0_c_size_t) + 1) :: text)
+        length = pdn_model_parameter_name(self%c, parameter, text, len(text, c_size_t))
+        text = text(:length)
+    end function model_parameter_name
 
     ! The parameter that has a name.
     subroutine model_find_parameter(self, name, parameter, stat, errmsg)
@@ -4690,9 +6810,235 @@ contains
         integer(c_int32_t), intent(inout) :: parameter
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
 
-        call report(pdn_model_find_parameter(self%c, name//c_null_char, parameter), stat, errmsg)
+        status = pdn_model_find_parameter(self%c, trim(name)//c_null_char, parameter)
+        call report(status, stat, errmsg)
     end subroutine model_find_parameter
+
+    ! Lets a parameter move a number of the model: it becomes factor times the parameter's value,
+    ! now and whenever that changes.
+    subroutine model_move_number(self, parameter, number, id, power, factor, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: parameter, number, id, power
+        real(c_double), intent(in) :: factor
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_move_number(self%c, parameter, number, id, power, factor)
+        call report(status, stat, errmsg)
+    end subroutine model_move_number
+
+    ! Lets a parameter move a part of a signal: it becomes factor times the parameter's value, now
+    ! and whenever that changes.
+    subroutine model_move_signal(self, parameter, place, id, component, part, factor, stat, &
+        errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: parameter, place, id, component, part
+        real(c_double), intent(in) :: factor
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_move_signal(self%c, parameter, place, id, component, part, factor)
+        call report(status, stat, errmsg)
+    end subroutine model_move_signal
+
+    ! Gives a parameter another value, and all that it moves.
+    subroutine model_set_parameter(self, parameter, value, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: parameter
+        real(c_double), intent(in) :: value
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_set_parameter(self%c, parameter, value)
+        call report(status, stat, errmsg)
+    end subroutine model_set_parameter
+
+    ! Gives everything with mass a force against its motion relative to the inertial frame, factor
+    ! times its momentum: damping in proportion to mass.
+    subroutine model_set_mass_damping(self, factor, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        real(c_double), intent(in) :: factor
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_set_mass_damping(self%c, factor)
+        call report(status, stat, errmsg)
+    end subroutine model_set_mass_damping
+
+    ! Declares that the function of a force is one of the phase, 2 pi t / T, which it is then told
+    ! in place of the time: it holds for any period T, as it must where that is unknown.
+    subroutine model_declare_of_phase(self, force, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: force
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_declare_of_phase(self%c, force)
+        call report(status, stat, errmsg)
+    end subroutine model_declare_of_phase
+
+    ! Kind, bodies and frames of a joint.
+    subroutine model_joint(self, joint, out, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: joint
+        type(pdn_joint_info), intent(inout) :: out
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_joint_info) :: found_out
+        integer(c_int32_t) :: status
+
+        call pdn_init(found_out)
+        status = pdn_model_joint(self%c, joint, found_out)
+        if (status == PDN_OK) out = found_out
+        call report(status, stat, errmsg)
+    end subroutine model_joint
+
+    ! Kind of a force, where it acts, and how many numbers it has.
+    subroutine model_force(self, force, out, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: force
+        type(pdn_force_info), intent(inout) :: out
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_force_info) :: found_out
+        integer(c_int32_t) :: status
+
+        call pdn_init(found_out)
+        status = pdn_model_force(self%c, force, found_out)
+        if (status == PDN_OK) out = found_out
+        call report(status, stat, errmsg)
+    end subroutine model_force
+
+    ! A number of a force, with the factors of parameters.
+    subroutine model_force_number(self, force, number, index, out, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: force, number, index
+        real(c_double), intent(inout) :: out
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_force_number(self%c, force, number, index, out)
+        call report(status, stat, errmsg)
+    end subroutine model_force_number
+
+    ! A node of forces of the user.
+    subroutine model_force_node(self, force, index, node, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: force, index
+        integer(c_int32_t), intent(inout) :: node
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_force_node(self%c, force, index, node)
+        call report(status, stat, errmsg)
+    end subroutine model_force_node
+
+    ! Number of nodes of a beam element.
+    subroutine model_beam_element_node_count(self, element, count, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: element
+        integer(c_int32_t), intent(inout) :: count
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_beam_element_node_count(self%c, element, count)
+        call report(status, stat, errmsg)
+    end subroutine model_beam_element_node_count
+
+    ! A node of a beam element, in order along the beam.
+    subroutine model_beam_element_node(self, element, index, node, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: element, index
+        integer(c_int32_t), intent(inout) :: node
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_beam_element_node(self%c, element, index, node)
+        call report(status, stat, errmsg)
+    end subroutine model_beam_element_node
+
+    ! Cross-section of a beam element at a place, with the factors of parameters.
+    subroutine model_beam_section(self, element, station, out, twist, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: element
+        real(c_double), intent(in) :: station
+        type(pdn_section), intent(inout) :: out
+        real(c_double), intent(inout), optional :: twist
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_section) :: found_out
+        integer(c_int32_t) :: status
+
+        call pdn_init(found_out)
+        status = pdn_model_beam_section(self%c, element, station, found_out, twist)
+        if (status == PDN_OK) out = found_out
+        call report(status, stat, errmsg)
+    end subroutine model_beam_section
+
+    ! Number of inertias: bodies, masses and inertias on nodes; their ids follow each other from
+    ! PDN_FIRST_INERTIA on.
+    subroutine model_inertia_count(self, count, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: count
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_inertia_count(self%c, count)
+        call report(status, stat, errmsg)
+    end subroutine model_inertia_count
+
+    ! The inertia of a body, or a mass or inertia on a node, with the factors of parameters.
+    subroutine model_inertia(self, inertia, node, matrix, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: inertia
+        integer(c_int32_t), intent(inout) :: node
+        real(c_double), intent(inout) :: matrix(6, 6)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_inertia(self%c, inertia, node, matrix)
+        call report(status, stat, errmsg)
+    end subroutine model_inertia
+
+    ! The inertia of a node: of a rigid body its own, of others the one that was added first.
+    subroutine model_inertia_of(self, node, inertia, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: node
+        integer(c_int32_t), intent(inout) :: inertia
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_inertia_of(self%c, node, inertia)
+        call report(status, stat, errmsg)
+    end subroutine model_inertia_of
+
+    ! A prescribed coordinate; summary tells how many there are, whose ids follow each other from
+    ! PDN_FIRST_PRESCRIBED on, and sample_signal what they follow.
+    subroutine model_prescribed(self, prescribed, joint, coordinate, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: prescribed
+        integer(c_int32_t), intent(inout) :: joint, coordinate
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_prescribed(self%c, prescribed, joint, coordinate)
+        call report(status, stat, errmsg)
+    end subroutine model_prescribed
 
     ! Number of coordinates of a linear relation.
     subroutine model_relation_term_count(self, relation, count, stat, errmsg)
@@ -4701,1320 +7047,243 @@ contains
         integer(c_int32_t), intent(inout) :: count
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
 
-        call report(pdn_model_relation_term_count(self%c, relation, count), stat, errmsg)
+        status = pdn_model_relation_term_count(self%c, relation, count)
+        call report(status, stat, errmsg)
     end subroutine model_relation_term_count
 
-    ! A coordinate of a linear relation, and its coefficient; index is from 0.
-    subroutine model_relation_term(self, relation, index, joint, coordinate, coefficient, stat, errmsg)
+    ! A coordinate of a linear relation, and its coefficient.
+    subroutine model_relation_term(self, relation, index, joint, coordinate, coefficient, stat, &
+        errmsg)
         class(pdn_model), intent(in) :: self
         integer(c_int32_t), intent(in) :: relation, index
         integer(c_int32_t), intent(inout) :: joint, coordinate
         real(c_double), intent(inout) :: coefficient
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
 
-        call report(pdn_model_relation_term(self%c, relation, index, joint, coordinate, coefficient), stat, errmsg)
+        status = pdn_model_relation_term(self%c, relation, index, joint, coordinate, &
+            coefficient)
+        call report(status, stat, errmsg)
     end subroutine model_relation_term
 
-    ! Values of a signal of the model at times.
-    subroutine model_sample_signal(self, place, id, component, period, times, values, stat, errmsg)
+    ! Values of a signal of the model in time.
+    subroutine model_sample_signal(self, place, id, component, period, times, values, stat, &
+        errmsg)
         class(pdn_model), intent(in) :: self
         integer(c_int32_t), intent(in) :: place, id, component
-        real(c_double), intent(in) :: period, times(:)
-        real(c_double), intent(inout) :: values(:)
+        real(c_double), intent(in) :: period
+        real(c_double), intent(in), contiguous :: times(:)
+        real(c_double), intent(inout), contiguous :: values(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: status
 
-        if (.not. fits('values', shape(values), shape(times), stat, errmsg)) return
-        call report(pdn_model_sample_signal(self%c, place, id, component, period, times, &
-            size(times, kind=c_size_t), values), stat, errmsg)
+        count = size(times, 1, c_size_t)
+        if (.not. fits('values', shape(values), [int(count)], stat, errmsg)) return
+        status = pdn_model_sample_signal(self%c, place, id, component, period, times, count, &
+            values)
+        call report(status, stat, errmsg)
     end subroutine model_sample_signal
 
-    ! Number of relations between joint coordinates.
-    subroutine model_relation_count(self, count, stat, errmsg)
+    ! Number of loads on nodes; their ids follow each other from PDN_FIRST_LOAD on.
+    subroutine model_load_count(self, count, stat, errmsg)
         class(pdn_model), intent(in) :: self
         integer(c_int32_t), intent(inout) :: count
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
 
-        call report(pdn_model_relation_count(self%c, count), stat, errmsg)
-    end subroutine model_relation_count
+        status = pdn_model_load_count(self%c, count)
+        call report(status, stat, errmsg)
+    end subroutine model_load_count
 
-    ! The sum of coefficients times coordinates is the signal or, without one, stays what it is.
-    subroutine model_add_relation(self, joints, coordinates, coefficients, signal, relation, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: joints(:), coordinates(:)
-        real(c_double), intent(in) :: coefficients(:)
-        type(pdn_signal), intent(in), optional, target :: signal
-        integer(c_int32_t), intent(inout), optional :: relation
+    ! A load on a node; its components are signals, sample_signal.
+    subroutine model_load_at(self, load, node, frame, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: load
+        integer(c_int32_t), intent(inout) :: node, frame
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        type(c_signal) :: raw
+        integer(c_int32_t) :: status
 
-        if (.not. fits('coordinates', shape(coordinates), shape(joints), stat, errmsg)) return
-        if (.not. fits('coefficients', shape(coefficients), shape(joints), stat, errmsg)) return
-        if (present(signal)) then
-            call signal%pass(raw)
-            call report(pdn_model_add_relation(self%c, joints, coordinates, coefficients, &
-                size(joints, kind=c_size_t), raw, relation), stat, errmsg)
-        else
-            call report(pdn_model_add_relation(self%c, joints, coordinates, coefficients, &
-                size(joints, kind=c_size_t), relation=relation), stat, errmsg)
-        end if
-    end subroutine model_add_relation
+        status = pdn_model_load_at(self%c, load, node, frame)
+        call report(status, stat, errmsg)
+    end subroutine model_load_at
 
-    ! Matrices of stiffness and damping between two frames: row is the effort, column the motion.
-    subroutine model_add_bushing(self, first, second, first_frame, second_frame, stiffness, damping, &
-        angles, force, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: first, second
-        type(pdn_frame), intent(in) :: first_frame, second_frame
-        real(c_double), intent(in) :: stiffness(6, 6), damping(6, 6)
-        integer(c_int32_t), intent(in) :: angles
-        integer(c_int32_t), intent(inout), optional :: force
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_add_bushing(self%c, first, second, first_frame, second_frame, stiffness, &
-            damping, angles, force), stat, errmsg)
-    end subroutine model_add_bushing
-
-    ! Number of forces.
-    subroutine model_force_count(self, count, stat, errmsg)
+    ! Number of loads along beam elements; their ids follow each other from PDN_FIRST_BEAM_LOAD
+    ! on.
+    subroutine model_beam_load_count(self, count, stat, errmsg)
         class(pdn_model), intent(in) :: self
         integer(c_int32_t), intent(inout) :: count
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_force_count(self%c, count), stat, errmsg)
-    end subroutine model_force_count
-
-    ! Total mass and centre of mass.
-    subroutine model_mass(self, mass, centre, stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        real(c_double), intent(inout) :: mass
-        real(c_double), intent(inout), optional :: centre(3)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_mass(self%c, mass, centre), stat, errmsg)
-    end subroutine model_mass
-
-    ! Frame of a node in the reference configuration.
-    subroutine model_node_frame(self, node, frame, stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        integer(c_int32_t), intent(in) :: node
-        type(pdn_frame), intent(inout) :: frame
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_node_frame(self%c, node, frame), stat, errmsg)
-    end subroutine model_node_frame
-
-    ! Counts, mass, degrees of freedom and mobility.
-    subroutine model_summary(self, summary, stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        type(pdn_summary), intent(inout) :: summary
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(pdn_summary) :: found
         integer(c_int32_t) :: status
 
-        call pdn_summary_init(found, c_sizeof(found))
-        status = pdn_model_summary(self%c, found)
-        if (status == PDN_OK) summary = found
+        status = pdn_model_beam_load_count(self%c, count)
         call report(status, stat, errmsg)
-    end subroutine model_summary
+    end subroutine model_beam_load_count
 
-    ! The summary in readable lines, with warnings.
-    subroutine model_describe(self, text, stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        character(:), allocatable, intent(inout) :: text
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(pdn_summary) :: summary
-        character(kind=c_char), allocatable :: buffer(:)
-        integer(c_size_t) :: length
-        integer(c_int32_t) :: status
-
-        call pdn_summary_init(summary, c_sizeof(summary))
-        status = pdn_model_summary(self%c, summary)
-        if (status == PDN_OK) then
-            allocate (buffer(pdn_model_describe(self%c, capacity=0_c_size_t) + 1))
-            length = pdn_model_describe(self%c, buffer, size(buffer, kind=c_size_t))
-            text = joined(buffer(:length))
-        end if
-        call report(status, stat, errmsg)
-    end subroutine model_describe
-
-    ! A frame that moves; its axes are the global ones unless a rotation matrix is given.
-    subroutine model_add_node(self, position, rotation, node, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        real(c_double), intent(in) :: position(3)
-        real(c_double), intent(in), optional :: rotation(9)
-        integer(c_int32_t), intent(inout), optional :: node
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: id, status
-
-        status = pdn_model_add_node(self%c, position, rotation, id)
-        if (status == PDN_OK .and. present(node)) node = id
-        call report(status, stat, errmsg)
-    end subroutine model_add_node
-
-    ! A node at the centre of mass, with axes parallel to the global ones.
-    subroutine model_add_rigid_body(self, mass, centre, inertia, node, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        real(c_double), intent(in) :: mass
-        real(c_double), intent(in) :: centre(3)
-        real(c_double), intent(in) :: inertia(3, 3)
-        integer(c_int32_t), intent(inout), optional :: node
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: id, status
-
-        status = pdn_model_add_rigid_body(self%c, mass, centre, inertia, id)
-        if (status == PDN_OK .and. present(node)) node = id
-        call report(status, stat, errmsg)
-    end subroutine model_add_rigid_body
-
-    ! A mass fixed to a node: a point mass unless moments of inertia are given. id is that of its inertia.
-    subroutine model_add_mass(self, node, mass, centre, inertia, id, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: node
-        real(c_double), intent(in) :: mass
-        real(c_double), intent(in) :: centre(3)
-        real(c_double), intent(in), optional :: inertia(3, 3)
-        integer(c_int32_t), intent(inout), optional :: id
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_add_mass(self%c, node, mass, centre, inertia, id), stat, errmsg)
-    end subroutine model_add_mass
-
-    ! A 6 x 6 inertia fixed to a node, in the node's own frame unless another is given.
-    subroutine model_add_inertia(self, node, matrix, frame, id, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: node
-        real(c_double), intent(in) :: matrix(6, 6)
-        type(pdn_frame), intent(in), optional :: frame
-        integer(c_int32_t), intent(inout), optional :: id
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_add_inertia(self%c, node, frame, matrix, id), stat, errmsg)
-    end subroutine model_add_inertia
-
-    ! Fixes two bodies to each other.
-    subroutine model_add_rigid_joint(self, first, second, point, joint, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: first, second
-        real(c_double), intent(in) :: point(3)
-        integer(c_int32_t), intent(inout), optional :: joint
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: id, status
-
-        status = pdn_model_add_rigid_joint(self%c, first, second, point, id)
-        if (status == PDN_OK .and. present(joint)) joint = id
-        call report(status, stat, errmsg)
-    end subroutine model_add_rigid_joint
-
-    subroutine model_add_revolute(self, first, second, point, axis, joint, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: first, second
-        real(c_double), intent(in) :: point(3), axis(3)
-        integer(c_int32_t), intent(inout), optional :: joint
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: id, status
-
-        status = pdn_model_add_revolute(self%c, first, second, point, axis, id)
-        if (status == PDN_OK .and. present(joint)) joint = id
-        call report(status, stat, errmsg)
-    end subroutine model_add_revolute
-
-    subroutine model_add_prismatic(self, first, second, point, axis, joint, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: first, second
-        real(c_double), intent(in) :: point(3), axis(3)
-        integer(c_int32_t), intent(inout), optional :: joint
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: id, status
-
-        status = pdn_model_add_prismatic(self%c, first, second, point, axis, id)
-        if (status == PDN_OK .and. present(joint)) joint = id
-        call report(status, stat, errmsg)
-    end subroutine model_add_prismatic
-
-    subroutine model_add_cylindrical(self, first, second, point, axis, joint, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: first, second
-        real(c_double), intent(in) :: point(3), axis(3)
-        integer(c_int32_t), intent(inout), optional :: joint
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: id, status
-
-        status = pdn_model_add_cylindrical(self%c, first, second, point, axis, id)
-        if (status == PDN_OK .and. present(joint)) joint = id
-        call report(status, stat, errmsg)
-    end subroutine model_add_cylindrical
-
-    subroutine model_add_screw(self, first, second, point, axis, pitch, joint, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: first, second
-        real(c_double), intent(in) :: point(3), axis(3), pitch
-        integer(c_int32_t), intent(inout), optional :: joint
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: id, status
-
-        status = pdn_model_add_screw(self%c, first, second, point, axis, pitch, id)
-        if (status == PDN_OK .and. present(joint)) joint = id
-        call report(status, stat, errmsg)
-    end subroutine model_add_screw
-
-    subroutine model_add_planar(self, first, second, point, normal, joint, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: first, second
-        real(c_double), intent(in) :: point(3), normal(3)
-        integer(c_int32_t), intent(inout), optional :: joint
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: id, status
-
-        status = pdn_model_add_planar(self%c, first, second, point, normal, id)
-        if (status == PDN_OK .and. present(joint)) joint = id
-        call report(status, stat, errmsg)
-    end subroutine model_add_planar
-
-    subroutine model_add_spherical(self, first, second, point, joint, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: first, second
-        real(c_double), intent(in) :: point(3)
-        integer(c_int32_t), intent(inout), optional :: joint
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: id, status
-
-        status = pdn_model_add_spherical(self%c, first, second, point, id)
-        if (status == PDN_OK .and. present(joint)) joint = id
-        call report(status, stat, errmsg)
-    end subroutine model_add_spherical
-
-    subroutine model_add_universal(self, first, second, point, first_arm, second_arm, joint, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: first, second
-        real(c_double), intent(in) :: point(3), first_arm(3), second_arm(3)
-        integer(c_int32_t), intent(inout), optional :: joint
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: id, status
-
-        status = pdn_model_add_universal(self%c, first, second, point, first_arm, second_arm, id)
-        if (status == PDN_OK .and. present(joint)) joint = id
-        call report(status, stat, errmsg)
-    end subroutine model_add_universal
-
-    subroutine model_add_free_joint(self, first, second, point, joint, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: first, second
-        real(c_double), intent(in) :: point(3)
-        integer(c_int32_t), intent(inout), optional :: joint
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: id, status
-
-        status = pdn_model_add_free_joint(self%c, first, second, point, id)
-        if (status == PDN_OK .and. present(joint)) joint = id
-        call report(status, stat, errmsg)
-    end subroutine model_add_free_joint
-
-    ! The distance of two points as a joint coordinate.
-    subroutine model_add_strut(self, first, second, first_point, second_point, joint, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: first, second
-        real(c_double), intent(in) :: first_point(3), second_point(3)
-        integer(c_int32_t), intent(inout), optional :: joint
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: id, status
-
-        status = pdn_model_add_strut(self%c, first, second, first_point, second_point, id)
-        if (status == PDN_OK .and. present(joint)) joint = id
-        call report(status, stat, errmsg)
-    end subroutine model_add_strut
-
-    ! A joint of any kind between a frame fixed to each body.
-    subroutine model_add_joint(self, kind, first, second, first_frame, second_frame, joint, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: kind, first, second
-        type(pdn_frame), intent(in) :: first_frame, second_frame
-        integer(c_int32_t), intent(inout), optional :: joint
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: id, status
-
-        status = pdn_model_add_joint(self%c, kind, first, second, first_frame, second_frame, id)
-        if (status == PDN_OK .and. present(joint)) joint = id
-        call report(status, stat, errmsg)
-    end subroutine model_add_joint
-
-    subroutine model_add_screw_between(self, first, second, first_frame, second_frame, pitch, joint, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: first, second
-        type(pdn_frame), intent(in) :: first_frame, second_frame
-        real(c_double), intent(in) :: pitch
-        integer(c_int32_t), intent(inout), optional :: joint
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: id, status
-
-        status = pdn_model_add_screw_between(self%c, first, second, first_frame, second_frame, pitch, id)
-        if (status == PDN_OK .and. present(joint)) joint = id
-        call report(status, stat, errmsg)
-    end subroutine model_add_screw_between
-
-    ! Makes a joint coordinate follow a signal.
-    subroutine model_prescribe(self, joint, coordinate, signal, prescribed, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: joint, coordinate
-        type(pdn_signal), intent(in), target :: signal
-        integer(c_int32_t), intent(inout), optional :: prescribed
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(c_signal) :: raw
-
-        call signal%pass(raw)
-        call report(pdn_model_prescribe(self%c, joint, coordinate, raw, prescribed), stat, errmsg)
-    end subroutine model_prescribe
-
-    ! A beam element over nodes that are there.
-    subroutine model_add_beam_element(self, nodes, section, element, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: nodes(:)
-        type(pdn_section), intent(in) :: section
-        integer(c_int32_t), intent(inout), optional :: element
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: id, status
-
-        status = pdn_model_add_beam_element(self%c, nodes, size(nodes, kind=c_size_t), section, id)
-        if (status == PDN_OK .and. present(element)) element = id
-        call report(status, stat, errmsg)
-    end subroutine model_add_beam_element
-
-    ! A straight beam: its nodes and elements.
-    subroutine model_add_straight_beam(self, start, end, axis_2, section, elements, degree, beam, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        real(c_double), intent(in) :: start(3), end(3), axis_2(3)
-        type(pdn_section), intent(in) :: section
-        integer(c_int32_t), intent(in) :: elements, degree
-        type(pdn_beam), intent(inout) :: beam
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_add_straight_beam(self%c, start, end, axis_2, section, count_of(elements), &
-            count_of(degree), beam), stat, errmsg)
-    end subroutine model_add_straight_beam
-
-    ! Stations of these sections, if all are as many.
-    logical function are_stations(sections, fractions, twists, stations, stat, errmsg)
-        type(pdn_section), intent(in), target, contiguous :: sections(:)
-        real(c_double), intent(in), optional, target, contiguous :: fractions(:), twists(:)
-        type(pdn_stations), intent(out) :: stations
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        are_stations = .false.
-        call pdn_stations_init(stations, c_sizeof(stations))
-        stations%count = size(sections)
-        if (size(sections) > 0) stations%sections = c_loc(sections)
-        if (present(fractions)) then
-            if (.not. fits('fractions', shape(fractions), shape(sections), stat, errmsg)) return
-            stations%fractions = c_loc(fractions)
-        end if
-        if (present(twists)) then
-            if (.not. fits('twists', shape(twists), shape(sections), stat, errmsg)) return
-            stations%twists = c_loc(twists)
-        end if
-        are_stations = .true.
-    end function are_stations
-
-    ! A beam along a line; sections (and twists) at fractions of it, or one section for all of it.
-    subroutine model_add_beam(self, line, sections, elements, degree, beam, fractions, twists, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        type(pdn_line), intent(in) :: line
-        type(pdn_section), intent(in), target, contiguous :: sections(:)
-        integer(c_int32_t), intent(in) :: elements, degree
-        type(pdn_beam), intent(inout) :: beam
-        real(c_double), intent(in), optional, target, contiguous :: fractions(:), twists(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(pdn_stations) :: stations
-
-        if (.not. are_stations(sections, fractions, twists, stations, stat, errmsg)) return
-        call report(pdn_model_add_beam(self%c, line, stations, count_of(elements), count_of(degree), &
-            beam), stat, errmsg)
-    end subroutine model_add_beam
-
-    ! The same with elements from each of the boundaries to the next, fractions of the span.
-    subroutine model_add_beam_between(self, line, sections, boundaries, degree, beam, fractions, twists, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        type(pdn_line), intent(in) :: line
-        type(pdn_section), intent(in), target, contiguous :: sections(:)
-        real(c_double), intent(in) :: boundaries(:)
-        integer(c_int32_t), intent(in) :: degree
-        type(pdn_beam), intent(inout) :: beam
-        real(c_double), intent(in), optional, target, contiguous :: fractions(:), twists(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(pdn_stations) :: stations
-
-        if (.not. are_stations(sections, fractions, twists, stations, stat, errmsg)) return
-        call report(pdn_model_add_beam_between(self%c, line, stations, boundaries, &
-            int(max(size(boundaries) - 1, 0), c_size_t), count_of(degree), beam), stat, errmsg)
-    end subroutine model_add_beam_between
-
-    ! A shell element over nodes that are there: node i n_eta + j is at (xi_i, eta_j).
-    subroutine model_add_shell_element(self, nodes, n_xi, section, placement, element, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: nodes(:), n_xi
-        type(pdn_shell_section), intent(in) :: section
-        type(pdn_shell_placement), intent(in), optional :: placement
-        integer(c_int32_t), intent(inout), optional :: element
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: id, status
-
-        status = pdn_model_add_shell_element(self%c, nodes, size(nodes, kind=c_size_t), count_of(n_xi), section, &
-            placement, id)
-        if (status == PDN_OK .and. present(element)) element = id
-        call report(status, stat, errmsg)
-    end subroutine model_add_shell_element
-
-    ! A shell over a surface, with elements(1) elements of degrees(1) along u, and likewise along v.
-    subroutine model_add_shell(self, surface, elements, degrees, section, shell, placement, join, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        type(pdn_surface), intent(in) :: surface
-        integer(c_int32_t), intent(in) :: elements(2), degrees(2)
-        type(pdn_shell_section), intent(in) :: section
-        type(pdn_shell), intent(inout) :: shell
-        type(pdn_shell_placement), intent(in), optional :: placement
-        logical, intent(in), optional :: join
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: joined
-
-        joined = 1
-        if (present(join)) joined = merge(1, 0, join)
-        call report(pdn_model_add_shell(self%c, surface, count_of(elements(1)), count_of(elements(2)), &
-            count_of(degrees(1)), count_of(degrees(2)), joined, section, placement, shell), stat, errmsg)
-    end subroutine model_add_shell
-
-    ! The same over given positions of its nodes, points(:, k), those along v first.
-    subroutine model_add_shell_grid(self, points, elements, degrees, section, shell, placement, join, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        real(c_double), intent(in), contiguous :: points(:,:)
-        integer(c_int32_t), intent(in) :: elements(2), degrees(2)
-        type(pdn_shell_section), intent(in) :: section
-        type(pdn_shell), intent(inout) :: shell
-        type(pdn_shell_placement), intent(in), optional :: placement
-        logical, intent(in), optional :: join
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: joined
-
-        if (.not. fits('points', shape(points), [3, size(points, 2)], stat, errmsg)) return
-        joined = 1
-        if (present(join)) joined = merge(1, 0, join)
-        call report(pdn_model_add_shell_grid(self%c, points, size(points, 2, c_size_t), count_of(elements(1)), &
-            count_of(elements(2)), count_of(degrees(1)), count_of(degrees(2)), joined, section, placement, shell), &
-            stat, errmsg)
-    end subroutine model_add_shell_grid
-
-    ! A shell element for each cell, of 4 or 9 points with numbers cells(:, k) from 0 on, corners first.
-    subroutine model_add_shell_quadrilaterals(self, points, cells, degree, section, first_element, placement, stat, &
+    ! A load along beam elements; its components are signals, sample_signal, times the factors of
+    ! beam_load_factor.
+    subroutine model_beam_load(self, load, first_element, elements, frame, places, axis_2, stat, &
         errmsg)
-        class(pdn_model), intent(inout) :: self
-        real(c_double), intent(in), contiguous :: points(:,:)
-        integer(c_int32_t), intent(in), contiguous :: cells(:,:)
-        integer(c_int32_t), intent(in) :: degree
-        type(pdn_shell_section), intent(in) :: section
-        integer(c_int32_t), intent(inout) :: first_element
-        type(pdn_shell_placement), intent(in), optional :: placement
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (.not. fits('points', shape(points), [3, size(points, 2)], stat, errmsg)) return
-        call report(pdn_model_add_shell_quadrilaterals(self%c, points, size(points, 2, c_size_t), cells, &
-            size(cells, kind=c_size_t), size(cells, 1, c_size_t), count_of(degree), section, placement, &
-            first_element), stat, errmsg)
-    end subroutine model_add_shell_quadrilaterals
-
-    ! Node of a shell over a surface or a grid, numbered from 0 along u and v.
-    subroutine model_shell_patch_node(self, shell, u, v, node, stat, errmsg)
         class(pdn_model), intent(in) :: self
-        type(pdn_shell), intent(in) :: shell
-        integer(c_int32_t), intent(in) :: u, v
-        integer(c_int32_t), intent(inout) :: node
+        integer(c_int32_t), intent(in) :: load
+        integer(c_int32_t), intent(inout) :: first_element, elements, frame, places
+        real(c_double), intent(inout), optional :: axis_2(3)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
 
-        call report(pdn_model_shell_patch_node(self%c, shell, u, v, node), stat, errmsg)
-    end subroutine model_shell_patch_node
+        status = pdn_model_beam_load(self%c, load, first_element, elements, frame, axis_2, &
+            places)
+        call report(status, stat, errmsg)
+    end subroutine model_beam_load
 
-    ! Node of a shell element, numbered from 0 along xi and eta.
-    subroutine model_shell_node(self, element, xi, eta, node, stat, errmsg)
+    ! Factor of a load along beam elements at a place; it is linear in between.
+    subroutine model_beam_load_factor(self, load, index, fraction, factor, stat, errmsg)
         class(pdn_model), intent(in) :: self
-        integer(c_int32_t), intent(in) :: element, xi, eta
-        integer(c_int32_t), intent(inout) :: node
+        integer(c_int32_t), intent(in) :: load, index
+        real(c_double), intent(inout) :: fraction, factor
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
 
-        call report(pdn_model_shell_node(self%c, element, xi, eta, node), stat, errmsg)
-    end subroutine model_shell_node
+        status = pdn_model_beam_load_factor(self%c, load, index, fraction, factor)
+        call report(status, stat, errmsg)
+    end subroutine model_beam_load_factor
 
-    ! Number of shell elements.
-    subroutine model_shell_element_count(self, count, stat, errmsg)
+    ! Number of loads on shell elements; their ids follow each other from PDN_FIRST_SHELL_LOAD on.
+    subroutine model_shell_load_count(self, count, stat, errmsg)
         class(pdn_model), intent(in) :: self
         integer(c_int32_t), intent(inout) :: count
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_shell_element_count(self%c, count), stat, errmsg)
-    end subroutine model_shell_element_count
-
-    ! Initial stress of shell elements: forces and moments where nothing is strained.
-    subroutine model_set_shell_prestress(self, first_element, elements, resultants, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: first_element, elements
-        real(c_double), intent(in) :: resultants(12)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_set_shell_prestress(self%c, first_element, elements, resultants), stat, errmsg)
-    end subroutine model_set_shell_prestress
-
-    ! Fixes nodes to a body, by a rigid joint each; these follow each other from the first on.
-    subroutine model_add_rigid_joints(self, body, nodes, first_joint, joints, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: body, nodes(:)
-        integer(c_int32_t), intent(inout), optional :: first_joint, joints
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: first, count, status
-
-        status = pdn_model_add_rigid_joints(self%c, body, nodes, size(nodes, kind=c_size_t), first, count)
-        if (status == PDN_OK .and. present(first_joint)) first_joint = first
-        if (status == PDN_OK .and. present(joints)) joints = count
-        call report(status, stat, errmsg)
-    end subroutine model_add_rigid_joints
-
-    ! Fixes an edge of a shell over a surface or a grid to a body: rigid joints as of add_rigid_joints.
-    subroutine model_add_rigid_edge(self, body, shell, edge, first_joint, joints, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: body, edge
-        type(pdn_shell), intent(in) :: shell
-        integer(c_int32_t), intent(inout), optional :: first_joint, joints
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: first, count, status
-
-        status = pdn_model_add_rigid_edge(self%c, body, shell, edge, first, count)
-        if (status == PDN_OK .and. present(first_joint)) first_joint = first
-        if (status == PDN_OK .and. present(joints)) joints = count
-        call report(status, stat, errmsg)
-    end subroutine model_add_rigid_edge
-
-    ! A component for each unit of area of shell elements, or of length of their edges.
-    subroutine model_add_shell_load(self, first_element, elements, place, frame, component, signal, load, stat, &
-        errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: first_element, elements, place, frame, component
-        type(pdn_signal), intent(in), target :: signal
-        integer(c_int32_t), intent(inout), optional :: load
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(c_signal) :: raw
-
-        call signal%pass(raw)
-        call report(pdn_model_add_shell_load(self%c, first_element, elements, place, frame, component, raw, load), &
-            stat, errmsg)
-    end subroutine model_add_shell_load
-
-    ! A component of a force or moment on a node.
-    subroutine model_add_load(self, node, frame, component, signal, load, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: node, frame, component
-        type(pdn_signal), intent(in), target :: signal
-        integer(c_int32_t), intent(inout), optional :: load
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(c_signal) :: raw
-
-        call signal%pass(raw)
-        call report(pdn_model_add_load(self%c, node, frame, component, raw, load), stat, errmsg)
-    end subroutine model_add_load
-
-    ! A component distributed along beam elements; factors of the signal are linear between fractions.
-    subroutine model_add_distributed_load(self, first_element, elements, frame, component, signal, fractions, &
-        factors, load, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: first_element, elements, frame, component
-        type(pdn_signal), intent(in), target :: signal
-        real(c_double), intent(in), optional :: fractions(:), factors(:)
-        integer(c_int32_t), intent(inout), optional :: load
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(c_signal) :: raw
-        integer(c_size_t) :: count
-
-        count = 0
-        if (present(fractions)) count = size(fractions, kind=c_size_t)
-        if (present(factors)) then
-            if (.not. fits('factors', shape(factors), [int(count)], stat, errmsg)) return
-        end if
-        call signal%pass(raw)
-        call report(pdn_model_add_distributed_load(self%c, first_element, elements, frame, component, raw, fractions, &
-            factors, count, load), stat, errmsg)
-    end subroutine model_add_distributed_load
-
-    ! All components of a load along beam elements at all places at once: signals has a column of six for each of the
-    ! fractions. axis_2 is needed for PDN_FRAME_UNTWISTED only. The ids of the loads at the places follow first_load.
-    subroutine model_add_load_at_places(self, first_element, elements, frame, fractions, signals, axis_2, first_load, &
-        stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: first_element, elements, frame
-        real(c_double), intent(in) :: fractions(:)
-        type(pdn_signal), intent(in), target :: signals(:, :)
-        real(c_double), intent(in), optional :: axis_2(3)
-        integer(c_int32_t), intent(inout), optional :: first_load
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(c_signal), allocatable :: raw(:, :)
-        integer :: i, k
-
-        if (.not. fits('signals', shape(signals), [6, size(fractions)], stat, errmsg)) return
-        allocate (raw(6, size(fractions)))
-        do k = 1, size(fractions)
-            do i = 1, 6
-                call signals(i, k)%pass(raw(i, k))
-            end do
-        end do
-        call report(pdn_model_add_load_at_places(self%c, first_element, elements, frame, axis_2, fractions, raw, &
-            size(fractions, kind=c_size_t), first_load), stat, errmsg)
-    end subroutine model_add_load_at_places
-
-    ! Describes everything in a frame that turns steadily about an axis through a point, or the
-    ! origin.
-    subroutine model_set_turning_frame(self, axis, rate, point, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        real(c_double), intent(in) :: axis(3)
-        real(c_double), intent(in) :: rate
-        real(c_double), intent(in), optional :: point(3)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_set_turning_frame(self%c, axis, rate, point), stat, errmsg)
-    end subroutine model_set_turning_frame
-
-    ! The frame that everything is described in, if it turns; else an error.
-    subroutine model_turning_frame(self, axis, rate, point, stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        real(c_double), intent(inout) :: axis(3)
-        real(c_double), intent(inout) :: rate
-        real(c_double), intent(inout) :: point(3)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_turning_frame(self%c, axis, rate, point), stat, errmsg)
-    end subroutine model_turning_frame
-
-    ! Says that so many blades are alike, with their nodes blade after blade; a hub turns with them
-    ! about an axis through a point, or the origin.
-    subroutine model_set_rotor_symmetry(self, axis, blades, nodes, hub, point, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        real(c_double), intent(in) :: axis(3)
-        integer(c_int32_t), intent(in) :: blades, nodes(:), hub(:)
-        real(c_double), intent(in), optional :: point(3)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_set_rotor_symmetry(self%c, axis, blades, nodes, size(nodes, kind=c_size_t), &
-            hub, size(hub, kind=c_size_t), point), stat, errmsg)
-    end subroutine model_set_rotor_symmetry
-
-    ! The rotor whose blades were said to be alike; else an error.
-    subroutine model_rotor_symmetry(self, axis, point, blades, nodes_of_blade, hub_nodes, stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        real(c_double), intent(inout) :: axis(3), point(3)
-        integer(c_int32_t), intent(inout) :: blades, nodes_of_blade, hub_nodes
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_rotor_symmetry(self%c, axis, point, blades, nodes_of_blade, hub_nodes), &
-            stat, errmsg)
-    end subroutine model_rotor_symmetry
-
-    ! A node of a blade, or of the hub, which is blade -1, of that rotor.
-    subroutine model_rotor_node(self, blade, index, node, stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        integer(c_int32_t), intent(in) :: blade, index
-        integer(c_int32_t), intent(inout) :: node
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_rotor_node(self%c, blade, index, node), stat, errmsg)
-    end subroutine model_rotor_node
-
-    subroutine model_set_gravity(self, acceleration, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        real(c_double), intent(in) :: acceleration(3)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_set_gravity(self%c, acceleration), stat, errmsg)
-    end subroutine model_set_gravity
-
-    ! Gravity that varies in time.
-    subroutine model_set_gravity_signals(self, acceleration_1, acceleration_2, acceleration_3, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        type(pdn_signal), intent(in), target :: acceleration_1, acceleration_2, acceleration_3
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(c_signal) :: raw(3)
-
-        call acceleration_1%pass(raw(1))
-        call acceleration_2%pass(raw(2))
-        call acceleration_3%pass(raw(3))
-        call report(pdn_model_set_gravity_signals(self%c, raw(1), raw(2), raw(3)), stat, errmsg)
-    end subroutine model_set_gravity_signals
-
-    subroutine model_add_spring_damper(self, joint, coordinate, stiffness, damping, rest, force, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: joint, coordinate
-        real(c_double), intent(in) :: stiffness, damping, rest
-        integer(c_int32_t), intent(inout), optional :: force
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: id, status
-
-        status = pdn_model_add_spring_damper(self%c, joint, coordinate, stiffness, damping, rest, id)
-        if (status == PDN_OK .and. present(force)) force = id
-        call report(status, stat, errmsg)
-    end subroutine model_add_spring_damper
-
-    ! Effort by polynomials of coordinate and rate, without constants.
-    subroutine model_add_nonlinear_spring_damper(self, joint, coordinate, stiffness, damping, rest, force, stat, &
-        errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: joint, coordinate
-        real(c_double), intent(in) :: stiffness(:), damping(:), rest
-        integer(c_int32_t), intent(inout), optional :: force
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: id, status
-
-        status = pdn_model_add_nonlinear_spring_damper(self%c, joint, coordinate, stiffness, &
-            size(stiffness, kind=c_size_t), damping, size(damping, kind=c_size_t), rest, id)
-        if (status == PDN_OK .and. present(force)) force = id
-        call report(status, stat, errmsg)
-    end subroutine model_add_nonlinear_spring_damper
-
-    ! A force or torque that follows a signal.
-    subroutine model_add_actuator(self, joint, coordinate, signal, force, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: joint, coordinate
-        type(pdn_signal), intent(in), target :: signal
-        integer(c_int32_t), intent(inout), optional :: force
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(c_signal) :: raw
-
-        call signal%pass(raw)
-        call report(pdn_model_add_actuator(self%c, joint, coordinate, raw, force), stat, errmsg)
-    end subroutine model_add_actuator
-
-    ! A generalised Maxwell model on a joint coordinate.
-    subroutine model_add_viscoelastic(self, joint, coordinate, stiffness, rest, branch_stiffness, relaxation_times, &
-        force, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: joint, coordinate
-        real(c_double), intent(in) :: stiffness, rest, branch_stiffness(:), relaxation_times(:)
-        integer(c_int32_t), intent(inout), optional :: force
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (.not. fits('relaxation_times', shape(relaxation_times), shape(branch_stiffness), stat, errmsg)) return
-        call report(pdn_model_add_viscoelastic(self%c, joint, coordinate, stiffness, rest, branch_stiffness, &
-            relaxation_times, size(branch_stiffness, kind=c_size_t), force), stat, errmsg)
-    end subroutine model_add_viscoelastic
-
-    ! A damper between two bodies, in the second node's own frame unless another is given.
-    subroutine model_add_viscous_damper(self, first, second, matrix, frame, force, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: first, second
-        real(c_double), intent(in) :: matrix(6, 6)
-        type(pdn_frame), intent(in), optional :: frame
-        integer(c_int32_t), intent(inout), optional :: force
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_add_viscous_damper(self%c, first, second, frame, matrix, force), stat, errmsg)
-    end subroutine model_add_viscous_damper
-
-    ! A spring-damper whose law is the caller's.
-    subroutine model_add_coordinate_law(self, joint, coordinate, tangents, law, user_data, destroy, force, stat, &
-        errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: joint, coordinate, tangents
-        procedure(pdn_coordinate_law_fn) :: law
-        type(c_ptr), intent(in), optional :: user_data
-        procedure(pdn_destroy_fn), optional :: destroy
-        integer(c_int32_t), intent(inout), optional :: force
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(c_ptr) :: data
-        type(c_funptr) :: dispose
-
-        data = c_null_ptr
-        if (present(user_data)) data = user_data
-        dispose = c_null_funptr
-        if (present(destroy)) dispose = c_funloc(destroy)
-        call report(pdn_model_add_coordinate_law(self%c, joint, coordinate, tangents, c_funloc(law), data, dispose, &
-            force), stat, errmsg)
-    end subroutine model_add_coordinate_law
-
-    ! Forces on nodes that the caller computes.
-    subroutine model_add_user_force(self, nodes, frame, tangents, forces, user_data, destroy, force, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: nodes(:), frame, tangents
-        procedure(pdn_user_force_fn) :: forces
-        type(c_ptr), intent(in), optional :: user_data
-        procedure(pdn_destroy_fn), optional :: destroy
-        integer(c_int32_t), intent(inout), optional :: force
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(c_ptr) :: data
-        type(c_funptr) :: dispose
-
-        data = c_null_ptr
-        if (present(user_data)) data = user_data
-        dispose = c_null_funptr
-        if (present(destroy)) dispose = c_funloc(destroy)
-        call report(pdn_model_add_user_force(self%c, nodes, size(nodes, kind=c_size_t), frame, tangents, &
-            c_funloc(forces), data, dispose, force), stat, errmsg)
-    end subroutine model_add_user_force
-
-    ! Forces on shell elements that the caller computes, one for each from first_force on.
-    subroutine model_add_surface_force(self, first_element, elements, place, frame, tangents, forces, user_data, &
-            destroy, first_force, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: first_element, elements, place, frame, tangents
-        procedure(pdn_surface_force_fn) :: forces
-        type(c_ptr), intent(in), optional :: user_data
-        procedure(pdn_destroy_fn), optional :: destroy
-        integer(c_int32_t), intent(inout), optional :: first_force
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(c_ptr) :: data
-        type(c_funptr) :: dispose
-
-        data = c_null_ptr
-        if (present(user_data)) data = user_data
-        dispose = c_null_funptr
-        if (present(destroy)) dispose = c_funloc(destroy)
-        call report(pdn_model_add_surface_force(self%c, first_element, elements, place, frame, tangents, &
-            c_funloc(forces), data, dispose, first_force), stat, errmsg)
-    end subroutine model_add_surface_force
-
-    ! Efforts on coordinates by the caller's law of coordinates, rates and states; without `initial` and
-    ! `sizes` it has no states.
-    subroutine model_add_controller(self, input_joints, input_coordinates, output_joints, output_coordinates, &
-        tangents, controller, initial, sizes, user_data, destroy, force, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: input_joints(:), input_coordinates(:)
-        integer(c_int32_t), intent(in) :: output_joints(:), output_coordinates(:), tangents
-        procedure(pdn_controller_fn) :: controller
-        real(c_double), intent(in), optional :: initial(:), sizes(:)
-        type(c_ptr), intent(in), optional :: user_data
-        procedure(pdn_destroy_fn), optional :: destroy
-        integer(c_int32_t), intent(inout), optional :: force
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(c_ptr) :: data
-        type(c_funptr) :: dispose
-        integer(c_size_t) :: states
-
-        if (.not. fits('input_coordinates', shape(input_coordinates), shape(input_joints), stat, errmsg)) return
-        if (.not. fits('output_coordinates', shape(output_coordinates), shape(output_joints), stat, errmsg)) return
-        states = 0
-        if (present(initial)) states = size(initial, kind=c_size_t)
-        if (present(sizes)) then
-            if (present(initial)) then
-                if (.not. fits('sizes', shape(sizes), shape(initial), stat, errmsg)) return
-            end if
-            states = size(sizes, kind=c_size_t)
-        end if
-        data = c_null_ptr
-        if (present(user_data)) data = user_data
-        dispose = c_null_funptr
-        if (present(destroy)) dispose = c_funloc(destroy)
-        call report(pdn_model_add_controller(self%c, input_joints, input_coordinates, &
-            size(input_joints, kind=c_size_t), output_joints, output_coordinates, &
-            size(output_joints, kind=c_size_t), initial, sizes, states, tangents, c_funloc(controller), data, &
-            dispose, force), stat, errmsg)
-    end subroutine model_add_controller
-
-    ! A function for a controller, in place of the one that it has.
-    subroutine model_bind_controller(self, force, tangents, controller, user_data, destroy, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: force, tangents
-        procedure(pdn_controller_fn) :: controller
-        type(c_ptr), intent(in), optional :: user_data
-        procedure(pdn_destroy_fn), optional :: destroy
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(c_ptr) :: data
-        type(c_funptr) :: dispose
-
-        data = c_null_ptr
-        if (present(user_data)) data = user_data
-        dispose = c_null_funptr
-        if (present(destroy)) dispose = c_funloc(destroy)
-        call report(pdn_model_bind_controller(self%c, force, tangents, c_funloc(controller), data, dispose), stat, &
-            errmsg)
-    end subroutine model_bind_controller
-
-    subroutine model_controller_counts(self, force, inputs, outputs, states, stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        integer(c_int32_t), intent(in) :: force
-        integer(c_int32_t), intent(inout), optional :: inputs, outputs, states
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_controller_counts(self%c, force, inputs, outputs, states), stat, errmsg)
-    end subroutine model_controller_counts
-
-    ! A coordinate that a controller reads or, counted on, acts on.
-    subroutine model_controller_coordinate(self, force, index, joint, coordinate, stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        integer(c_int32_t), intent(in) :: force, index
-        integer(c_int32_t), intent(inout) :: joint, coordinate
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_controller_coordinate(self%c, force, index, joint, coordinate), stat, errmsg)
-    end subroutine model_controller_coordinate
-
-    subroutine model_controller_state(self, force, index, initial, size, stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        integer(c_int32_t), intent(in) :: force, index
-        real(c_double), intent(inout), optional :: initial, size
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_controller_state(self%c, force, index, initial, size), stat, errmsg)
-    end subroutine model_controller_state
-
-    ! Compares the tangents of a law or user force with differences.
-    subroutine model_check_tangents(self, force, period, check, stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        integer(c_int32_t), intent(in) :: force
-        real(c_double), intent(in) :: period
-        type(pdn_tangent_check), intent(inout) :: check
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(pdn_tangent_check) :: found
         integer(c_int32_t) :: status
 
-        call pdn_tangent_check_init(found, c_sizeof(found))
-        status = pdn_model_check_tangents(self%c, force, period, found)
-        if (status == PDN_OK) check = found
+        status = pdn_model_shell_load_count(self%c, count)
         call report(status, stat, errmsg)
-    end subroutine model_check_tangents
+    end subroutine model_shell_load_count
 
-    ! PDN_CONVERGED, or why not.
-    subroutine solution_outcome(self, outcome, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        integer(c_int32_t), intent(inout) :: outcome
+    ! A load on shell elements; its components are signals, sample_signal.
+    subroutine model_shell_load(self, load, first_element, elements, place, frame, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: load
+        integer(c_int32_t), intent(inout) :: first_element, elements, place, frame
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: found
-
-        found = pdn_solution_outcome(self%c)
-        if (found >= 0) outcome = found
-        call report(min(found, PDN_OK), stat, errmsg)
-    end subroutine solution_outcome
-
-    ! Iterations, error estimates, time spent.
-    subroutine solution_diagnostics(self, diagnostics, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        type(pdn_diagnostics), intent(inout) :: diagnostics
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(pdn_diagnostics) :: found
         integer(c_int32_t) :: status
 
-        call pdn_diagnostics_init(found, c_sizeof(found))
-        status = pdn_solution_diagnostics(self%c, found)
-        if (status == PDN_OK) diagnostics = found
+        status = pdn_model_shell_load(self%c, load, first_element, elements, place, frame)
         call report(status, stat, errmsg)
-    end subroutine solution_diagnostics
+    end subroutine model_shell_load
 
-    ! Residual, increment and step of each Newton iteration.
-    subroutine solution_history(self, residuals, increments, steps, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        real(c_double), allocatable, intent(inout) :: residuals(:), increments(:), steps(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(pdn_diagnostics) :: figures
-        integer(c_int32_t) :: status
-
-        call pdn_diagnostics_init(figures, c_sizeof(figures))
-        status = pdn_solution_diagnostics(self%c, figures)
-        if (status == PDN_OK) then
-            if (allocated(residuals)) deallocate (residuals)
-            if (allocated(increments)) deallocate (increments)
-            if (allocated(steps)) deallocate (steps)
-            allocate (residuals(figures%iterations), increments(figures%iterations), steps(figures%iterations))
-            status = pdn_solution_history(self%c, residuals, increments, steps, size(steps, kind=c_size_t))
-        end if
-        call report(status, stat, errmsg)
-    end subroutine solution_history
-
-    ! A copy whose quantities are seen through a spectral filter, PDN_FILTER_LANCZOS or PDN_FILTER_EXPONENTIAL.
-    subroutine solution_filtered(self, filter, order, copy, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        integer(c_int32_t), intent(in) :: filter, order
-        type(pdn_solution), intent(inout) :: copy
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(c_ptr) :: c
-        integer(c_int32_t) :: status
-
-        status = pdn_solution_filtered(self%c, filter, order, c)
-        if (status == PDN_OK) call copy%adopt(c, pdn_solution_free)
-        call report(status, stat, errmsg)
-    end subroutine solution_filtered
-
-    ! Largest amplitude of each harmonic, from 0 on.
-    subroutine solution_decay(self, amplitudes, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        real(c_double), allocatable, intent(inout) :: amplitudes(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(pdn_diagnostics) :: figures
-        integer(c_int32_t) :: status
-
-        call pdn_diagnostics_init(figures, c_sizeof(figures))
-        status = pdn_solution_diagnostics(self%c, figures)
-        if (status == PDN_OK) then
-            if (allocated(amplitudes)) deallocate (amplitudes)
-            allocate (amplitudes((figures%grid_points + 1) / 2))
-            status = pdn_solution_decay(self%c, amplitudes, size(amplitudes, kind=c_size_t))
-        end if
-        call report(status, stat, errmsg)
-    end subroutine solution_decay
-
-    ! Times, widths and shares of the events that grid points are closer together about.
-    subroutine solution_sharp_events(self, times, widths, shares, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        real(c_double), allocatable, intent(inout) :: times(:), widths(:), shares(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer(c_size_t) :: count
-        integer(c_int32_t) :: status
-
-        status = pdn_solution_sharp_event_count(self%c, count)
-        if (status == PDN_OK) then
-            if (allocated(times)) deallocate (times)
-            if (allocated(widths)) deallocate (widths)
-            if (allocated(shares)) deallocate (shares)
-            allocate (times(count), widths(count), shares(count))
-            status = pdn_solution_sharp_events(self%c, times, widths, shares, count)
-        end if
-        call report(status, stat, errmsg)
-    end subroutine solution_sharp_events
-
-    ! Grid times.
-    subroutine solution_grid_times(self, times, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        real(c_double), allocatable, intent(inout) :: times(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(pdn_diagnostics) :: figures
-        integer(c_int32_t) :: status
-
-        call pdn_diagnostics_init(figures, c_sizeof(figures))
-        status = pdn_solution_diagnostics(self%c, figures)
-        if (status == PDN_OK) then
-            if (allocated(times)) deallocate (times)
-            allocate (times(figures%grid_points))
-            status = pdn_solution_grid_times(self%c, times, size(times, kind=c_size_t))
-        end if
-        call report(status, stat, errmsg)
-    end subroutine solution_grid_times
-
-    ! What is asked of a solution, of one of the kinds PDN_NODE_POSITION, ..., of a node, joint, beam element or force;
-    ! other fields of ::pdn_quantity may then be set.
-    function pdn_quantity_of(kind, object, component, frame, node, branch, station) result(quantity)
-        integer(c_int32_t), intent(in) :: kind, object
-        integer(c_int32_t), intent(in), optional :: component, frame, node, branch
-        real(c_double), intent(in), optional :: station
-        type(pdn_quantity) :: quantity
-
-        call pdn_quantity_init(quantity, c_sizeof(quantity))
-        quantity%kind = kind
-        quantity%object = object
-        if (present(component)) quantity%component = component
-        if (present(frame)) quantity%frame = frame
-        if (present(node)) quantity%node = node
-        if (present(branch)) quantity%branch = branch
-        if (present(station)) quantity%station = station
-    end function pdn_quantity_of
-
-    ! Values of a quantity; out has one row for each component that is asked for.
-    subroutine solution_sample(self, quantity, times, out, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        type(pdn_quantity), intent(in) :: quantity
-        real(c_double), intent(in) :: times(:)
-        real(c_double), intent(inout) :: out(:, :)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (.not. fits('out', shape(out), [of_quantity(quantity, size(out, 1)), size(times)], stat, errmsg)) return
-        call report(pdn_solution_sample(self%c, quantity, times, size(times, kind=c_size_t), &
-            out), stat, errmsg)
-    end subroutine solution_sample
-
-    ! The same in one dimension, components of each time together.
-    subroutine solution_sample_line(self, quantity, times, out, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        type(pdn_quantity), intent(in) :: quantity
-        real(c_double), intent(in) :: times(:)
-        real(c_double), intent(inout) :: out(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (.not. fits('out', shape(out), [of_quantity(quantity, 1) * size(times)], stat, errmsg)) return
-        call report(pdn_solution_sample(self%c, quantity, times, size(times, kind=c_size_t), &
-            out), stat, errmsg)
-    end subroutine solution_sample_line
-
-    ! Fourier coefficients; cosines and sines have one column for each harmonic that is wanted.
-    subroutine solution_harmonics(self, quantity, mean, cosines, sines, rate, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        type(pdn_quantity), intent(in) :: quantity
-        real(c_double), intent(inout) :: mean(:), cosines(:, :), sines(:, :)
-        real(c_double), intent(inout), optional, contiguous :: rate(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (.not. fits('mean', shape(mean), [of_quantity(quantity, size(mean))], stat, errmsg)) return
-        if (.not. fits('cosines', shape(cosines), [size(mean), size(cosines, 2)], stat, errmsg)) return
-        if (.not. fits('sines', shape(sines), shape(cosines), stat, errmsg)) return
-        if (present(rate)) then
-            if (.not. fits('rate', shape(rate), shape(mean), stat, errmsg)) return
-        end if
-        call report(pdn_solution_harmonics(self%c, quantity, size(cosines, 2, c_size_t), mean, rate, &
-            cosines, sines), stat, errmsg)
-    end subroutine solution_harmonics
-
-    ! Smallest and largest values of a quantity, and their times.
-    subroutine solution_extremes(self, quantity, smallest, time_of_smallest, largest, time_of_largest, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        type(pdn_quantity), intent(in) :: quantity
-        real(c_double), intent(inout) :: smallest(:), time_of_smallest(:), largest(:), time_of_largest(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer :: wanted(1)
-
-        wanted = of_quantity(quantity, size(smallest))
-        if (.not. fits('smallest', shape(smallest), wanted, stat, errmsg)) return
-        if (.not. fits('time_of_smallest', shape(time_of_smallest), wanted, stat, errmsg)) return
-        if (.not. fits('largest', shape(largest), wanted, stat, errmsg)) return
-        if (.not. fits('time_of_largest', shape(time_of_largest), wanted, stat, errmsg)) return
-        call report(pdn_solution_extremes(self%c, quantity, smallest, time_of_smallest, largest, &
-            time_of_largest), stat, errmsg)
-    end subroutine solution_extremes
-
-    ! Number of components of a quantity; what was given of one that is none, which the call then tells.
-    integer function of_quantity(quantity, given)
-        type(pdn_quantity), intent(in) :: quantity
-        integer, intent(in) :: given
-
-        of_quantity = pdn_quantity_components(quantity)
-        if (of_quantity < 0) of_quantity = given
-    end function of_quantity
-
-    ! Whether there is a solution, and it has converged.
-    logical function solution_converged(self)
-        class(pdn_solution), intent(in) :: self
-
-        solution_converged = pdn_solution_outcome(self%c) == PDN_CONVERGED
-    end function solution_converged
-
-    ! Outcome and why, iterations, error estimates, time spent; empty if there is no solution.
-    function solution_report(self) result(text)
-        class(pdn_solution), intent(in) :: self
-        character(:), allocatable :: text
-        character(kind=c_char), allocatable :: buffer(:)
-        integer(c_size_t) :: length
-
-        allocate (buffer(pdn_solution_report(self%c, capacity=0_c_size_t) + 1))
-        length = pdn_solution_report(self%c, buffer, size(buffer, kind=c_size_t))
-        text = joined(buffer(:length))
-    end function solution_report
-
-    ! Solves --------------------------------------------------------------------------------------------------
-
-    ! Finds the periodic response directly. It starts from an initial solution, or from a guess with the shapes
-    ! 3 (or 9) x grid points x nodes, in place of the pointers of the options.
-    subroutine model_solve_periodic(self, period, solution, options, initial, guess_positions, guess_rotations, &
-        stat, errmsg)
+    ! Finds a periodic response that meets conditions, and the values of as many free parameters.
+    subroutine model_solve_conditioned(self, period, conditions, solution, options, initial, &
+        guess_positions, guess_rotations, event_times, event_widths, event_shares, stat, errmsg)
         class(pdn_model), intent(in) :: self
         real(c_double), intent(in) :: period
+        type(pdn_conditions), intent(in) :: conditions
         type(pdn_solution), intent(inout) :: solution
         type(pdn_periodic_options), intent(in), optional :: options
         type(pdn_solution), intent(in), optional :: initial
-        real(c_double), intent(in), optional, target, contiguous :: guess_positions(:, :, :), guess_rotations(:, :, :)
+        real(c_double), intent(in), target, contiguous, optional :: guess_positions(:, :, :), &
+            guess_rotations(:, :, :), event_times(:), event_widths(:), event_shares(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         type(pdn_periodic_options) :: chosen
-        type(c_ptr) :: c
-        integer(c_int32_t) :: status, nodes
-        integer :: points
+        type(c_ptr) :: made
+        integer(c_int32_t) :: status
 
         call pdn_init(chosen)
         if (present(options)) chosen = options
         if (present(initial)) chosen%initial = initial%c
-        if (present(guess_positions) .or. present(guess_rotations)) then
-            status = pdn_model_node_count(self%c, nodes)
-            if (status /= PDN_OK) then
-                call report(status, stat, errmsg)
-                return
-            end if
-            points = int(merge(2 * chosen%harmonics + 1, chosen%grid_points, chosen%harmonics > 0))
-            if (present(guess_positions)) then
-                if (.not. fits('guess_positions', shape(guess_positions), [3, points, int(nodes)], stat, errmsg)) return
-                chosen%guess_positions = c_loc(guess_positions)
-            end if
-            if (present(guess_rotations)) then
-                if (.not. fits('guess_rotations', shape(guess_rotations), [9, points, int(nodes)], stat, errmsg)) return
-                chosen%guess_rotations = c_loc(guess_rotations)
-            end if
+        if (present(guess_positions)) then
+            if (.not. fits('guess_positions', shape(guess_positions), [3, &
+                int(merge(2*chosen%harmonics + 1, chosen%grid_points, chosen%harmonics > 0)), &
+                nodes_of(self)], stat, errmsg)) return
+            chosen%guess_positions = c_loc(guess_positions)
         end if
-        status = pdn_solve_periodic(self%c, period, chosen, c)
-        if (status == PDN_OK) call solution%adopt(c, pdn_solution_free)
+        if (present(guess_rotations)) then
+            if (.not. fits('guess_rotations', shape(guess_rotations), [9, &
+                int(merge(2*chosen%harmonics + 1, chosen%grid_points, chosen%harmonics > 0)), &
+                nodes_of(self)], stat, errmsg)) return
+            chosen%guess_rotations = c_loc(guess_rotations)
+        end if
+        if (present(event_times)) then
+            chosen%event_count = size(event_times, kind=c_size_t)
+            chosen%event_times = c_loc(event_times)
+        end if
+        if (present(event_widths)) then
+            if (.not. fits('event_widths', shape(event_widths), [int(chosen%event_count)], stat, &
+                errmsg)) return
+            chosen%event_widths = c_loc(event_widths)
+        end if
+        if (present(event_shares)) then
+            if (.not. fits('event_shares', shape(event_shares), [int(chosen%event_count)], stat, &
+                errmsg)) return
+            chosen%event_shares = c_loc(event_shares)
+        end if
+        status = pdn_solve_conditioned(self%c, period, conditions%c, chosen, made)
+        if (status == PDN_OK) call solution%adopt(made, pdn_solution_free)
         call report(status, stat, errmsg)
-    end subroutine model_solve_periodic
+    end subroutine model_solve_conditioned
 
-    ! Finds an equilibrium at one time, at rest or in steady rotation.
+    ! Follows periodic motions along a parameter, through folds, from the response at its value in
+    ! the model.
+    subroutine model_follow_branch(self, period, parameter, branch, options, periodic, &
+        conditions, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        real(c_double), intent(in) :: period
+        integer(c_int32_t), intent(in) :: parameter
+        type(pdn_branch), intent(inout) :: branch
+        type(pdn_branch_options), intent(in) :: options
+        type(pdn_periodic_options), intent(in), target, optional :: periodic
+        type(pdn_conditions), intent(in), optional :: conditions
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_branch_options) :: chosen
+        type(c_ptr) :: made
+        integer(c_int32_t) :: status
+
+        chosen = options
+        if (present(periodic)) chosen%periodic = c_loc(periodic)
+        if (present(conditions)) chosen%conditions = conditions%c
+        status = pdn_follow_branch(self%c, period, parameter, chosen, made)
+        if (status == PDN_OK) call branch%adopt(made, pdn_branch_free)
+        call report(status, stat, errmsg)
+    end subroutine model_follow_branch
+
+    ! Finds the response over a range of frequencies, through folds: follow_branch along
+    ! PDN_FREQUENCY.
+    subroutine model_solve_frequency_response(self, first, last, branch, options, periodic, &
+        conditions, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        real(c_double), intent(in) :: first, last
+        type(pdn_branch), intent(inout) :: branch
+        type(pdn_branch_options), intent(in), optional :: options
+        type(pdn_periodic_options), intent(in), target, optional :: periodic
+        type(pdn_conditions), intent(in), optional :: conditions
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_branch_options) :: chosen
+        type(c_ptr) :: made
+        integer(c_int32_t) :: status
+
+        call pdn_init(chosen)
+        if (present(options)) chosen = options
+        if (present(periodic)) chosen%periodic = c_loc(periodic)
+        if (present(conditions)) chosen%conditions = conditions%c
+        status = pdn_solve_frequency_response(self%c, first, last, chosen, made)
+        if (status == PDN_OK) call branch%adopt(made, pdn_branch_free)
+        call report(status, stat, errmsg)
+    end subroutine model_solve_frequency_response
+
+    ! Finds an equilibrium at one time: of forces at rest, or in steady rotation.
     subroutine model_solve_static(self, solution, options, initial, stat, errmsg)
         class(pdn_model), intent(in) :: self
         type(pdn_solution), intent(inout) :: solution
@@ -6023,71 +7292,76 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         type(pdn_static_options) :: chosen
-        type(c_ptr) :: c
+        type(c_ptr) :: made
         integer(c_int32_t) :: status
 
         call pdn_init(chosen)
         if (present(options)) chosen = options
         if (present(initial)) chosen%initial = initial%c
-        status = pdn_solve_static(self%c, chosen, c)
-        if (status == PDN_OK) call solution%adopt(c, pdn_solution_free)
+        status = pdn_solve_static(self%c, chosen, made)
+        if (status == PDN_OK) call solution%adopt(made, pdn_solution_free)
         call report(status, stat, errmsg)
     end subroutine model_solve_static
 
-    ! Marches in time; the solution is a trajectory. It starts from an initial solution, or from positions,
-    ! rotations and velocities (3, 9 or 6 x nodes), in place of the pointers of the options.
-    subroutine model_march(self, solution, options, initial, positions, rotations, velocities, stat, errmsg)
+    ! Finds an equilibrium and the modes of small motions Re(x exp(s t)) about it.
+    subroutine model_solve_modes(self, modes, options, equilibrium, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        type(pdn_modes), intent(inout) :: modes
+        type(pdn_modes_options), intent(in), optional :: options
+        type(pdn_static_options), intent(in), target, optional :: equilibrium
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_modes_options) :: chosen
+        type(c_ptr) :: made
+        integer(c_int32_t) :: status
+
+        call pdn_init(chosen)
+        if (present(options)) chosen = options
+        if (present(equilibrium)) chosen%equilibrium = c_loc(equilibrium)
+        status = pdn_solve_modes(self%c, chosen, made)
+        if (status == PDN_OK) call modes%adopt(made, pdn_modes_free)
+        call report(status, stat, errmsg)
+    end subroutine model_solve_modes
+
+    ! Marches a model in time, for a given duration or until its motion repeats itself.
+    subroutine model_march(self, solution, options, initial, positions, rotations, velocities, &
+        stat, errmsg)
         class(pdn_model), intent(in) :: self
         type(pdn_solution), intent(inout) :: solution
         type(pdn_march_options), intent(in) :: options
         type(pdn_solution), intent(in), optional :: initial
-        real(c_double), intent(in), optional, target, contiguous :: positions(:, :), rotations(:, :), velocities(:, :)
+        real(c_double), intent(in), target, contiguous, optional :: positions(:, :), &
+            rotations(:, :), velocities(:, :)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         type(pdn_march_options) :: chosen
-        type(c_ptr) :: c
-        integer(c_int32_t) :: status, nodes
+        type(c_ptr) :: made
+        integer(c_int32_t) :: status
 
-        status = pdn_model_node_count(self%c, nodes)
-        if (status /= PDN_OK) then
-            call report(status, stat, errmsg)
-            return
-        end if
         chosen = options
         if (present(initial)) chosen%initial = initial%c
         if (present(positions)) then
-            if (.not. fits('positions', shape(positions), [3, int(nodes)], stat, errmsg)) return
+            if (.not. fits('positions', shape(positions), [3, nodes_of(self)], stat, &
+                errmsg)) return
             chosen%positions = c_loc(positions)
         end if
         if (present(rotations)) then
-            if (.not. fits('rotations', shape(rotations), [9, int(nodes)], stat, errmsg)) return
+            if (.not. fits('rotations', shape(rotations), [9, nodes_of(self)], stat, &
+                errmsg)) return
             chosen%rotations = c_loc(rotations)
         end if
         if (present(velocities)) then
-            if (.not. fits('velocities', shape(velocities), [6, int(nodes)], stat, errmsg)) return
+            if (.not. fits('velocities', shape(velocities), [6, nodes_of(self)], stat, &
+                errmsg)) return
             chosen%velocities = c_loc(velocities)
         end if
-        status = pdn_march(self%c, chosen, c)
-        if (status == PDN_OK) call solution%adopt(c, pdn_solution_free)
+        status = pdn_march(self%c, chosen, made)
+        if (status == PDN_OK) call solution%adopt(made, pdn_solution_free)
         call report(status, stat, errmsg)
     end subroutine model_march
 
-    ! Figures of a march.
-    subroutine solution_march(self, diagnostics, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        type(pdn_march_diagnostics), intent(inout) :: diagnostics
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(pdn_march_diagnostics) :: found
-        integer(c_int32_t) :: status
-
-        call pdn_march_diagnostics_init(found, c_sizeof(found))
-        status = pdn_solution_march(self%c, found)
-        if (status == PDN_OK) diagnostics = found
-        call report(status, stat, errmsg)
-    end subroutine solution_march
-
-    ! Finds the periodic response by Newton's method on the period map of a march; the solution is a trajectory.
+    ! Finds the periodic response of a model by shooting: Newton's method on the period map of
+    ! march.
     subroutine model_solve_shooting(self, period, solution, options, initial, stat, errmsg)
         class(pdn_model), intent(in) :: self
         real(c_double), intent(in) :: period
@@ -6097,594 +7371,215 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         type(pdn_shooting_options) :: chosen
-        type(c_ptr) :: c
+        type(c_ptr) :: made
         integer(c_int32_t) :: status
 
         call pdn_init(chosen)
         if (present(options)) chosen = options
         if (present(initial)) chosen%initial = initial%c
-        status = pdn_solve_shooting(self%c, period, chosen, c)
-        if (status == PDN_OK) call solution%adopt(c, pdn_solution_free)
+        status = pdn_solve_shooting(self%c, period, chosen, made)
+        if (status == PDN_OK) call solution%adopt(made, pdn_solution_free)
         call report(status, stat, errmsg)
     end subroutine model_solve_shooting
 
-    ! Floquet multipliers of a solution by solve_shooting, the largest first.
-    subroutine solution_floquet(self, multipliers, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        complex(c_double), allocatable, intent(inout) :: multipliers(:)
+    ! Counts, mass, degrees of freedom and mobility of a model in its reference configuration.
+    subroutine model_summary(self, out, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        type(pdn_summary), intent(inout) :: out
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        real(c_double), allocatable :: real_part(:), imaginary_part(:)
-        integer(c_size_t) :: count
+        type(pdn_summary) :: found_out
         integer(c_int32_t) :: status
 
-        status = pdn_solution_floquet_count(self%c, count)
-        if (status == PDN_OK) then
-            allocate (real_part(count), imaginary_part(count))
-            status = pdn_solution_floquet(self%c, real_part, imaginary_part, count)
-        end if
-        if (status == PDN_OK) multipliers = cmplx(real_part, imaginary_part, c_double)
+        call pdn_init(found_out)
+        status = pdn_model_summary(self%c, found_out)
+        if (status == PDN_OK) out = found_out
         call report(status, stat, errmsg)
-    end subroutine solution_floquet
+    end subroutine model_summary
 
-    ! Equations below the solve ---------------------------------------------------------------------------------
-
-    ! Those of a model on a grid. options%grid_points is to be set; initial stands for options%initial, owners (the rank
-    ! of each node) for options%owners.
-    subroutine equations_new(self, model, period, options, initial, owners, stat, errmsg)
-        class(pdn_equations), intent(inout) :: self
-        type(pdn_model), intent(in) :: model
-        real(c_double), intent(in) :: period
-        type(pdn_equations_options), intent(in) :: options
-        type(pdn_solution), intent(in), optional :: initial
-        integer(c_int32_t), intent(in), optional, target, contiguous :: owners(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(pdn_equations_options) :: chosen
-        type(c_ptr) :: c
-        integer(c_int32_t) :: status
-
-        chosen = options
-        if (present(initial)) chosen%initial = initial%c
-        if (present(owners)) then
-            chosen%owners = c_loc(owners)
-            chosen%owner_count = size(owners, kind=c_size_t)
-        end if
-        status = pdn_equations_new(model%c, period, chosen, c)
-        if (status == PDN_OK) call self%adopt(c, pdn_equations_free)
-        call report(status, stat, errmsg)
-    end subroutine equations_new
-
-    ! Sizes of the equations and of vectors.
-    subroutine equations_sizes(self, sizes, stat, errmsg)
-        class(pdn_equations), intent(in) :: self
-        type(pdn_equations_sizes), intent(inout) :: sizes
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(pdn_equations_sizes) :: found
-        integer(c_int32_t) :: status
-
-        call pdn_equations_sizes_init(found, c_sizeof(found))
-        status = pdn_equations_get_sizes(self%c, found)
-        if (status == PDN_OK) sizes = found
-        call report(status, stat, errmsg)
-    end subroutine equations_sizes
-
-    ! Nodes of this rank.
-    subroutine equations_nodes(self, nodes, stat, errmsg)
-        class(pdn_equations), intent(in) :: self
-        integer(c_int32_t), intent(inout), contiguous :: nodes(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_equations_nodes(self%c, nodes, size(nodes, kind=c_size_t)), stat, errmsg)
-    end subroutine equations_nodes
-
-    ! Numbers of this rank's unknowns among those of all, from 0.
-    subroutine equations_numbers(self, numbers, stat, errmsg)
-        class(pdn_equations), intent(in) :: self
-        integer(c_size_t), intent(inout), contiguous :: numbers(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_equations_numbers(self%c, numbers, size(numbers, kind=c_size_t)), stat, errmsg)
-    end subroutine equations_numbers
-
-    ! Motions of this rank's nodes and own unknowns of its elements.
-    subroutine equations_state(self, motions, own_unknowns, stat, errmsg)
-        class(pdn_equations), intent(in) :: self
-        real(c_double), intent(inout), contiguous :: motions(:), own_unknowns(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_equations_state(self%c, motions, size(motions, kind=c_size_t), own_unknowns, &
-            size(own_unknowns, kind=c_size_t)), stat, errmsg)
-    end subroutine equations_state
-
-    ! Sets them.
-    subroutine equations_set_state(self, motions, own_unknowns, stat, errmsg)
-        class(pdn_equations), intent(in) :: self
-        real(c_double), intent(in), contiguous :: motions(:), own_unknowns(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_equations_set_state(self%c, motions, size(motions, kind=c_size_t), own_unknowns, &
-            size(own_unknowns, kind=c_size_t)), stat, errmsg)
-    end subroutine equations_set_state
-
-    ! The scaled residual.
-    subroutine equations_residual(self, residual, stat, errmsg)
-        class(pdn_equations), intent(in) :: self
-        real(c_double), intent(inout), contiguous :: residual(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_equations_residual(self%c, residual, size(residual, kind=c_size_t)), stat, errmsg)
-    end subroutine equations_residual
-
-    ! Linearises the equations at the present state.
-    subroutine equations_linearise(self, stat, errmsg)
-        class(pdn_equations), intent(in) :: self
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_equations_linearise(self%c), stat, errmsg)
-    end subroutine equations_linearise
-
-    ! The product of the scaled Jacobian and x.
-    subroutine equations_product(self, x, y, stat, errmsg)
-        class(pdn_equations), intent(in) :: self
-        real(c_double), intent(in), contiguous :: x(:)
-        real(c_double), intent(inout), contiguous :: y(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (.not. fits('y', shape(y), shape(x), stat, errmsg)) return
-        call report(pdn_equations_product(self%c, x, y, size(x, kind=c_size_t)), stat, errmsg)
-    end subroutine equations_product
-
-    ! The product of the transposed scaled Jacobian and x.
-    subroutine equations_transposed_product(self, x, y, stat, errmsg)
-        class(pdn_equations), intent(in) :: self
-        real(c_double), intent(in), contiguous :: x(:)
-        real(c_double), intent(inout), contiguous :: y(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (.not. fits('y', shape(y), shape(x), stat, errmsg)) return
-        call report(pdn_equations_transposed_product(self%c, x, y, size(x, kind=c_size_t)), stat, errmsg)
-    end subroutine equations_transposed_product
-
-    ! The product of x and what multiplies a power of mu, 1 or 2, in the Jacobian for disturbances exp(mu t).
-    subroutine equations_power_product(self, power, x, y, stat, errmsg)
-        class(pdn_equations), intent(in) :: self
-        integer(c_int32_t), intent(in) :: power
-        real(c_double), intent(in), contiguous :: x(:)
-        real(c_double), intent(inout), contiguous :: y(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (.not. fits('y', shape(y), shape(x), stat, errmsg)) return
-        call report(pdn_equations_power_product(self%c, power, x, y, size(x, kind=c_size_t)), stat, errmsg)
-    end subroutine equations_power_product
-
-    ! The solution of the preconditioner's equations with the right side x.
-    subroutine equations_precondition(self, x, y, stat, errmsg)
-        class(pdn_equations), intent(in) :: self
-        real(c_double), intent(in), contiguous :: x(:)
-        real(c_double), intent(inout), contiguous :: y(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (.not. fits('y', shape(y), shape(x), stat, errmsg)) return
-        call report(pdn_equations_precondition(self%c, x, y, size(x, kind=c_size_t)), stat, errmsg)
-    end subroutine equations_precondition
-
-    ! Factors the preconditioner; regular tells whether it could be.
-    subroutine equations_factor(self, right_side, regular, stat, errmsg)
-        class(pdn_equations), intent(in) :: self
-        real(c_double), intent(in), contiguous :: right_side(:)
-        logical, intent(inout) :: regular
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status, found
-
-        status = pdn_equations_factor(self%c, right_side, size(right_side, kind=c_size_t), found)
-        if (status == PDN_OK) regular = found /= 0
-        call report(status, stat, errmsg)
-    end subroutine equations_factor
-
-    ! What an increment leaves of constraints by their compliance; compliant tells whether they have any.
-    subroutine equations_compliance(self, increment, y, compliant, stat, errmsg)
-        class(pdn_equations), intent(in) :: self
-        real(c_double), intent(in), contiguous :: increment(:)
-        real(c_double), intent(inout), contiguous :: y(:)
-        logical, intent(inout) :: compliant
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status, found
-
-        if (.not. fits('y', shape(y), shape(increment), stat, errmsg)) return
-        status = pdn_equations_compliance(self%c, increment, y, size(y, kind=c_size_t), found)
-        if (status == PDN_OK) compliant = found /= 0
-        call report(status, stat, errmsg)
-    end subroutine equations_compliance
-
-    ! Moves the state of the last linearisation by a fraction of an increment, all of it unless step is given.
-    subroutine equations_update(self, increment, step, stat, errmsg)
-        class(pdn_equations), intent(in) :: self
-        real(c_double), intent(in), contiguous :: increment(:)
-        real(c_double), intent(in), optional :: step
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        real(c_double) :: fraction
-
-        fraction = 1
-        if (present(step)) fraction = step
-        call report(pdn_equations_update(self%c, increment, size(increment, kind=c_size_t), fraction), stat, errmsg)
-    end subroutine equations_update
-
-    ! Largest motion in an increment, and largest relative change of an own unknown.
-    subroutine equations_norms(self, increment, motion, own_unknown, stat, errmsg)
-        class(pdn_equations), intent(in) :: self
-        real(c_double), intent(in), contiguous :: increment(:)
-        real(c_double), intent(inout) :: motion, own_unknown
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_equations_norms(self%c, increment, size(increment, kind=c_size_t), motion, own_unknown), &
-            stat, errmsg)
-    end subroutine equations_norms
-
-    ! The present state as a solution, on rank root, on all without it; untouched on the others.
-    subroutine equations_solution(self, solution, outcome, root, stat, errmsg)
-        class(pdn_equations), intent(in) :: self
-        type(pdn_solution), intent(inout) :: solution
-        integer(c_int32_t), intent(in) :: outcome
-        integer(c_int32_t), intent(in), optional :: root
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(c_ptr) :: c
-        integer(c_int32_t) :: status, on
-
-        on = -1
-        if (present(root)) on = root
-        status = pdn_equations_solution(self%c, on, outcome, c)
-        if (status == PDN_OK) then
-            if (c_associated(c)) call solution%adopt(c, pdn_solution_free)
-        end if
-        call report(status, stat, errmsg)
-    end subroutine equations_solution
-
-    ! Stability -----------------------------------------------------------------------------------------------
-
-    ! Finds what small disturbances of a periodic solution are multiplied by in a period.
-    subroutine solution_solve_stability(self, stability, options, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        type(pdn_stability), intent(inout) :: stability
-        type(pdn_stability_options), intent(in), optional :: options
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(c_ptr) :: c
-        integer(c_int32_t) :: status
-
-        status = pdn_solve_stability(self%c, options, c)
-        if (status == PDN_OK) call stability%adopt(c, pdn_stability_free)
-        call report(status, stat, errmsg)
-    end subroutine solution_solve_stability
-
-    ! The verdict, and a table of the multipliers.
-    function stability_report(self) result(text)
-        class(pdn_stability), intent(in) :: self
+    ! The same in readable lines, with warnings: parts that nothing connects or holds, ends of
+    ! beams without a joint, nodes without inertia, joints open in the reference configuration or
+    ! far from all else, impossible moments of inertia, sizes, masses and stiffnesses that do not
+    ! fit each other.
+    function model_describe(self) result(text)
+        class(pdn_model), intent(in) :: self
         character(:), allocatable :: text
-        character(kind=c_char), allocatable :: buffer(:)
         integer(c_size_t) :: length
 
-        allocate (buffer(pdn_stability_report(self%c, capacity=0_c_size_t) + 1))
-        length = pdn_stability_report(self%c, buffer, size(buffer, kind=c_size_t))
-        text = joined(buffer(:length))
-    end function stability_report
+        allocate (character(pdn_model_describe(self%c, capacity=0_c_size_t) + 1) :: text)
+        length = pdn_model_describe(self%c, text, len(text, c_size_t))
+        text = text(:length)
+    end function model_describe
 
-    ! PDN_CONVERGED, or why multipliers are not known.
-    subroutine stability_outcome(self, outcome, stat, errmsg)
-        class(pdn_stability), intent(in) :: self
+    ! A copy of a model, which may be changed and solved apart from it.
+    subroutine model_copy(self, model, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        type(pdn_model), intent(inout) :: model
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: made
+        integer(c_int32_t) :: status
+
+        status = pdn_model_copy(self%c, made)
+        if (status == PDN_OK) call model%adopt(made, pdn_model_free)
+        call report(status, stat, errmsg)
+    end subroutine model_copy
+
+    ! Saves a model.
+    subroutine model_save(self, path, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        character(*), intent(in) :: path
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_save(self%c, trim(path)//c_null_char)
+        call report(status, stat, errmsg)
+    end subroutine model_save
+
+    ! Loads a model that save saved; its ids are what they were.
+    subroutine model_load(self, path, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        character(*), intent(in) :: path
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: made
+        integer(c_int32_t) :: status
+
+        status = pdn_model_load(trim(path)//c_null_char, made)
+        if (status == PDN_OK) call self%adopt(made, pdn_model_free)
+        call report(status, stat, errmsg)
+    end subroutine model_load
+
+    ! How the search for the equilibrium ended.
+    subroutine modes_outcome(self, outcome, stat, errmsg)
+        class(pdn_modes), intent(in) :: self
         integer(c_int32_t), intent(inout) :: outcome
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: found
-
-        found = pdn_stability_outcome(self%c)
-        if (found >= 0) outcome = found
-        call report(min(found, PDN_OK), stat, errmsg)
-    end subroutine stability_outcome
-
-    ! PDN_STABLE, PDN_UNSTABLE or PDN_STABILITY_NOT_KNOWN, and the frequency up to which that holds.
-    subroutine stability_verdict(self, verdict, frequency_limit, stat, errmsg)
-        class(pdn_stability), intent(in) :: self
-        integer(c_int32_t), intent(inout) :: verdict
-        real(c_double), intent(inout), optional :: frequency_limit
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_stability_verdict(self%c, verdict, frequency_limit), stat, errmsg)
-    end subroutine stability_verdict
-
-    ! Number of multipliers that are known, and of those that the system has.
-    subroutine stability_count(self, count, states, stat, errmsg)
-        class(pdn_stability), intent(in) :: self
-        integer(c_int32_t), intent(inout) :: count
-        integer(c_int32_t), intent(inout), optional :: states
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer(c_size_t) :: known, all
         integer(c_int32_t) :: status
 
-        status = pdn_stability_count(self%c, known, all)
+        status = pdn_modes_outcome(self%c)
+        if (status >= 0) outcome = status
+        call report(min(status, PDN_OK), stat, errmsg)
+    end subroutine modes_outcome
+
+    ! Whether it is there, and has converged.
+    logical function modes_converged(self)
+        class(pdn_modes), intent(in) :: self
+
+        modes_converged = pdn_modes_outcome(self%c) == PDN_CONVERGED
+    end function modes_converged
+
+    ! A readable report: outcome of the equilibrium and why, and a table of the modes.
+    function modes_report(self) result(text)
+        class(pdn_modes), intent(in) :: self
+        character(:), allocatable :: text
+        integer(c_size_t) :: length
+
+        allocate (character(pdn_modes_report(self%c, capacity=0_c_size_t) + 1) :: text)
+        length = pdn_modes_report(self%c, text, len(text, c_size_t))
+        text = text(:length)
+    end function modes_report
+
+    ! Number of modes: as many as were wanted, if there are and they were found.
+    subroutine modes_count(self, out, complete, stat, errmsg)
+        class(pdn_modes), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: out
+        logical, intent(inout), optional :: complete
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: found_complete, status
+
+        status = pdn_modes_count(self%c, out, found_complete)
         if (status == PDN_OK) then
-            count = int(known, c_int32_t)
-            if (present(states)) states = int(all, c_int32_t)
+            if (present(complete)) complete = found_complete /= 0
         end if
         call report(status, stat, errmsg)
-    end subroutine stability_count
+    end subroutine modes_count
 
-    ! A multiplier, its exponent, frequency and error.
-    subroutine stability_get(self, number, multiplier, stat, errmsg)
-        class(pdn_stability), intent(in) :: self
-        integer(c_int32_t), intent(in) :: number
-        type(pdn_multiplier), intent(inout) :: multiplier
+    ! Eigenvalue, frequency and damping of a mode.
+    subroutine modes_get(self, mode, out, stat, errmsg)
+        class(pdn_modes), intent(in) :: self
+        integer(c_int32_t), intent(in) :: mode
+        type(pdn_mode), intent(inout) :: out
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        type(pdn_multiplier) :: found
+        type(pdn_mode) :: found_out
         integer(c_int32_t) :: status
 
-        call pdn_multiplier_init(found, c_sizeof(found))
-        status = pdn_stability_get(self%c, number, found)
-        if (status == PDN_OK) multiplier = found
+        call pdn_init(found_out)
+        status = pdn_modes_get(self%c, mode, found_out)
+        if (status == PDN_OK) out = found_out
         call report(status, stat, errmsg)
-    end subroutine stability_get
+    end subroutine modes_get
 
-    ! Times of the shapes of modes.
-    subroutine stability_times(self, times, stat, errmsg)
-        class(pdn_stability), intent(in) :: self
-        real(c_double), allocatable, intent(inout) :: times(:)
+    ! Shape x of a mode at some nodes.
+    subroutine modes_shape(self, mode, nodes, real, imaginary, stat, errmsg)
+        class(pdn_modes), intent(in) :: self
+        integer(c_int32_t), intent(in) :: mode
+        integer(c_int32_t), intent(in), contiguous :: nodes(:)
+        real(c_double), intent(inout), contiguous :: real(:, :)
+        real(c_double), intent(inout), contiguous, optional :: imaginary(:, :)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        real(c_double), allocatable :: found(:)
-        integer(c_size_t) :: steps
+        integer(c_size_t) :: count
         integer(c_int32_t) :: status
 
-        status = pdn_stability_times(self%c, count=0_c_size_t, steps=steps)
-        if (status == PDN_OK) then
-            allocate (found(steps))
-            status = pdn_stability_times(self%c, found, steps)
-        end if
-        if (status == PDN_OK) call move_alloc(found, times)
-        call report(status, stat, errmsg)
-    end subroutine stability_times
-
-    ! Displacement and rotation of a node along its own axes, at all times: 6 x times.
-    subroutine stability_shape(self, number, node, real, imaginary, stat, errmsg)
-        class(pdn_stability), intent(in) :: self
-        integer(c_int32_t), intent(in) :: number, node
-        real(c_double), intent(inout) :: real(:, :)
-        real(c_double), intent(inout), optional, contiguous :: imaginary(:, :)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (.not. fits('real', shape(real), [6, size(real, 2)], stat, errmsg)) return
+        count = size(nodes, 1, c_size_t)
+        if (.not. fits('real', shape(real), [6, int(count)], stat, errmsg)) return
         if (present(imaginary)) then
-            if (.not. fits('imaginary', shape(imaginary), shape(real), stat, errmsg)) return
+            if (.not. fits('imaginary', shape(imaginary), [6, int(count)], stat, errmsg)) return
         end if
-        call report(pdn_stability_shape(self%c, number, node, size(real, 2, kind=c_size_t), real, imaginary), &
-            stat, errmsg)
-    end subroutine stability_shape
+        status = pdn_modes_shape(self%c, mode, nodes, count, real, imaginary)
+        call report(status, stat, errmsg)
+    end subroutine modes_shape
 
-    ! Parameters, conditions, branches ------------------------------------------------------------------------
-
-    ! A named number that is to move parts of the model; scale is what counts as 1 in it.
-    subroutine model_add_parameter(self, name, value, scale, parameter, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        character(*), intent(in) :: name
-        real(c_double), intent(in) :: value, scale
-        integer(c_int32_t), intent(inout) :: parameter
+    ! The motion in a mode, to be looked at as any other solution.
+    subroutine modes_motion(self, mode, amplitude, solution, stat, errmsg)
+        class(pdn_modes), intent(in) :: self
+        integer(c_int32_t), intent(in) :: mode
+        real(c_double), intent(in) :: amplitude
+        type(pdn_solution), intent(inout) :: solution
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_add_parameter(self%c, c_text(name), value, scale, parameter), stat, errmsg)
-    end subroutine model_add_parameter
-
-    ! Gives a parameter, and what it moves, another value.
-    subroutine model_set_parameter(self, parameter, value, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: parameter
-        real(c_double), intent(in) :: value
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_set_parameter(self%c, parameter, value), stat, errmsg)
-    end subroutine model_set_parameter
-
-    ! Lets a parameter move a number, PDN_NUMBER_..., of the force, inertia or element id.
-    subroutine model_move_number(self, parameter, number, id, power, factor, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: parameter, number, id, power
-        real(c_double), intent(in) :: factor
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_move_number(self%c, parameter, number, id, power, factor), stat, errmsg)
-    end subroutine model_move_number
-
-    ! Lets a parameter move a part, PDN_PART_..., of the signal of what has this id, PDN_SIGNAL_OF_....
-    subroutine model_move_signal(self, parameter, place, id, component, part, factor, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: parameter, place, id, component, part
-        real(c_double), intent(in) :: factor
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_move_signal(self%c, parameter, place, id, component, part, factor), stat, errmsg)
-    end subroutine model_move_signal
-
-    ! Damping in proportion to mass.
-    subroutine model_set_mass_damping(self, factor, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        real(c_double), intent(in) :: factor
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_set_mass_damping(self%c, factor), stat, errmsg)
-    end subroutine model_set_mass_damping
-
-    ! Declares the function of a force one of the phase, which it is then told.
-    subroutine model_declare_of_phase(self, force, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: force
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_declare_of_phase(self%c, force), stat, errmsg)
-    end subroutine model_declare_of_phase
-
-    ! The value of a parameter, or of the frequency, that a solution was found for.
-    subroutine solution_parameter(self, parameter, value, stat, errmsg)
-        class(pdn_solution), intent(in) :: self
-        integer(c_int32_t), intent(in) :: parameter
-        real(c_double), intent(inout) :: value
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_solution_parameter(self%c, parameter, value), stat, errmsg)
-    end subroutine solution_parameter
-
-    ! No conditions, in place of what was held.
-    subroutine conditions_new(self, stat, errmsg)
-        class(pdn_conditions), intent(inout) :: self
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(c_ptr) :: c
+        type(c_ptr) :: made
         integer(c_int32_t) :: status
 
-        status = pdn_conditions_new(c)
-        if (status == PDN_OK) call self%adopt(c, pdn_conditions_free)
+        status = pdn_modes_motion(self%c, mode, amplitude, made)
+        if (status == PDN_OK) call solution%adopt(made, pdn_solution_free)
         call report(status, stat, errmsg)
-    end subroutine conditions_new
+    end subroutine modes_motion
 
-    ! Makes a parameter, or PDN_FREQUENCY, free.
-    subroutine conditions_release(self, parameter, stat, errmsg)
-        class(pdn_conditions), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: parameter
+    ! The equilibrium, as solve_static gives it, converged or not.
+    subroutine modes_equilibrium(self, solution, stat, errmsg)
+        class(pdn_modes), intent(in) :: self
+        type(pdn_solution), intent(inout) :: solution
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: made
+        integer(c_int32_t) :: status
 
-        call report(pdn_conditions_release(self%c, parameter), stat, errmsg)
-    end subroutine conditions_release
+        status = pdn_modes_equilibrium(self%c, made)
+        if (status == PDN_OK) call solution%adopt(made, pdn_solution_free)
+        call report(status, stat, errmsg)
+    end subroutine modes_equilibrium
 
-    ! The phase is that of the start.
-    subroutine conditions_add_phase(self, stat, errmsg)
-        class(pdn_conditions), intent(inout) :: self
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_conditions_add_phase(self%c), stat, errmsg)
-    end subroutine conditions_add_phase
-
-    ! That the motion is not turned about an axis from what the solve starts from.
-    subroutine conditions_add_rotation_phase(self, axis, point, stat, errmsg)
-        class(pdn_conditions), intent(inout) :: self
-        real(c_double), intent(in) :: axis(3)
-        real(c_double), intent(in), optional :: point(3)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_conditions_add_rotation_phase(self%c, axis, point), stat, errmsg)
-    end subroutine conditions_add_rotation_phase
-
-    ! That the motion is not moved in a direction from what the solve starts from.
-    subroutine conditions_add_translation_phase(self, direction, stat, errmsg)
-        class(pdn_conditions), intent(inout) :: self
-        real(c_double), intent(in) :: direction(3)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_conditions_add_translation_phase(self%c, direction), stat, errmsg)
-    end subroutine conditions_add_translation_phase
-
-    ! A joint coordinate has this value at the start of the period.
-    subroutine conditions_add_joint_coordinate(self, joint, coordinate, value, stat, errmsg)
-        class(pdn_conditions), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: joint, coordinate
-        real(c_double), intent(in) :: value
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_conditions_add_joint_coordinate(self%c, joint, coordinate, value), stat, errmsg)
-    end subroutine conditions_add_joint_coordinate
-
-    ! The mean energy has this value.
-    subroutine conditions_add_energy(self, energy, stat, errmsg)
-        class(pdn_conditions), intent(inout) :: self
-        real(c_double), intent(in) :: energy
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_conditions_add_energy(self%c, energy), stat, errmsg)
-    end subroutine conditions_add_energy
-
-    ! The mean momentum in a direction is this, in the inertial frame.
-    subroutine conditions_add_momentum(self, direction, momentum, stat, errmsg)
-        class(pdn_conditions), intent(inout) :: self
-        real(c_double), intent(in) :: direction(3)
-        real(c_double), intent(in) :: momentum
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_conditions_add_momentum(self%c, direction, momentum), stat, errmsg)
-    end subroutine conditions_add_momentum
-
-    ! The mean angular momentum about an axis is this, in the inertial frame.
-    subroutine conditions_add_angular_momentum(self, axis, momentum, point, stat, errmsg)
-        class(pdn_conditions), intent(inout) :: self
-        real(c_double), intent(in) :: axis(3)
-        real(c_double), intent(in) :: momentum
-        real(c_double), intent(in), optional :: point(3)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_conditions_add_angular_momentum(self%c, axis, point, momentum), stat, errmsg)
-    end subroutine conditions_add_angular_momentum
-
-    ! A feature, PDN_FEATURE_..., of one component of a quantity has this value; at is the number of a harmonic, or a
-    ! time. Without scale, what counts as 1 is that of such quantities of the mechanism.
-    subroutine conditions_add_quantity(self, quantity, feature, at, value, scale, stat, errmsg)
-        class(pdn_conditions), intent(inout) :: self
-        type(pdn_quantity), intent(in) :: quantity
-        integer(c_int32_t), intent(in) :: feature
-        real(c_double), intent(in) :: at, value
-        real(c_double), intent(in), optional :: scale
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        real(c_double) :: counts
-
-        counts = 0
-        if (present(scale)) counts = scale
-        call report(pdn_conditions_add_quantity(self%c, quantity, feature, at, value, counts), stat, errmsg)
-    end subroutine conditions_add_quantity
-
+    ! Makes an empty list: nothing is differentiated.
     subroutine sensitivities_new(self, stat, errmsg)
         class(pdn_sensitivities), intent(inout) :: self
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        type(c_ptr) :: c
+        type(c_ptr) :: made
         integer(c_int32_t) :: status
 
-        status = pdn_sensitivities_new(c)
-        if (status == PDN_OK) call self%adopt(c, pdn_sensitivities_free)
+        status = c_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR)
+        if (status == PDN_OK) status = pdn_sensitivities_new(made)
+        if (status == PDN_OK) call self%adopt(made, pdn_sensitivities_free)
         call report(status, stat, errmsg)
     end subroutine sensitivities_new
 
-    ! A dependent: a feature, PDN_FEATURE_..., of one component of a quantity; at is the number of a harmonic, or a
-    ! time.
+    ! Adds a dependent: the mean, a harmonic, the value at a time, or a peak of a quantity.
     subroutine sensitivities_add_quantity(self, quantity, feature, at, stat, errmsg)
         class(pdn_sensitivities), intent(inout) :: self
         type(pdn_quantity), intent(in) :: quantity
@@ -6692,678 +7587,676 @@ contains
         real(c_double), intent(in), optional :: at
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        real(c_double) :: place
+        real(c_double) :: raw_at
+        integer(c_int32_t) :: status
 
-        place = 0
-        if (present(at)) place = at
-        call report(pdn_sensitivities_add_quantity(self%c, quantity, feature, place), stat, errmsg)
+        raw_at = 0.0_c_double
+        if (present(at)) raw_at = at
+        status = pdn_sensitivities_add_quantity(self%c, quantity, feature, raw_at)
+        call report(status, stat, errmsg)
     end subroutine sensitivities_add_quantity
 
-    ! A dependent: the value of a free parameter, or of PDN_FREQUENCY.
+    ! Adds a dependent: the value of a free parameter, which conditions determine.
     subroutine sensitivities_add_found(self, parameter, stat, errmsg)
         class(pdn_sensitivities), intent(inout) :: self
         integer(c_int32_t), intent(in) :: parameter
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
 
-        call report(pdn_sensitivities_add_found(self%c, parameter), stat, errmsg)
+        status = pdn_sensitivities_add_found(self%c, parameter)
+        call report(status, stat, errmsg)
     end subroutine sensitivities_add_found
 
-    ! A parameter, or PDN_FREQUENCY, that all is differentiated by.
+    ! Adds a parameter that all is differentiated by.
     subroutine sensitivities_add_parameter(self, parameter, stat, errmsg)
         class(pdn_sensitivities), intent(inout) :: self
         integer(c_int32_t), intent(in) :: parameter
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
 
-        call report(pdn_sensitivities_add_parameter(self%c, parameter), stat, errmsg)
+        status = pdn_sensitivities_add_parameter(self%c, parameter)
+        call report(status, stat, errmsg)
     end subroutine sensitivities_add_parameter
 
-    ! Derivatives of the dependents (rows) by the parameters (columns), where free parameters follow conditions.
-    subroutine solution_sensitivities(self, sensitivities, derivatives, conditions, options, stat, errmsg)
+    ! How the solve ended.
+    subroutine solution_outcome(self, outcome, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: outcome
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_solution_outcome(self%c)
+        if (status >= 0) outcome = status
+        call report(min(status, PDN_OK), stat, errmsg)
+    end subroutine solution_outcome
+
+    ! Whether it is there, and has converged.
+    logical function solution_converged(self)
+        class(pdn_solution), intent(in) :: self
+
+        solution_converged = pdn_solution_outcome(self%c) == PDN_CONVERGED
+    end function solution_converged
+
+    ! A readable report: outcome and why, iterations, error estimates, time spent.
+    function solution_report(self) result(text)
+        class(pdn_solution), intent(in) :: self
+        character(:), allocatable :: text
+        integer(c_size_t) :: length
+
+        allocate (character(pdn_solution_report(self%c, capacity=0_c_size_t) + 1) :: text)
+        length = pdn_solution_report(self%c, text, len(text, c_size_t))
+        text = text(:length)
+    end function solution_report
+
+    ! Figures of a solve: iterations, error estimates, residuals between grid points, time spent.
+    subroutine solution_diagnostics(self, out, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        type(pdn_diagnostics), intent(inout) :: out
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_diagnostics) :: found_out
+        integer(c_int32_t) :: status
+
+        call pdn_init(found_out)
+        status = pdn_solution_diagnostics(self%c, found_out)
+        if (status == PDN_OK) out = found_out
+        call report(status, stat, errmsg)
+    end subroutine solution_diagnostics
+
+    ! History of the Newton iterations of the periodic problem.
+    subroutine solution_history(self, residuals, increments, steps, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        real(c_double), allocatable, intent(inout) :: residuals(:), increments(:), steps(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_diagnostics) :: asked
+        real(c_double), allocatable :: found_residuals(:), found_increments(:), found_steps(:)
+        integer(c_int32_t) :: status
+
+        call pdn_init(asked)
+        status = pdn_solution_diagnostics(self%c, asked)
+        allocate (found_residuals(asked%iterations))
+        allocate (found_increments(asked%iterations))
+        allocate (found_steps(asked%iterations))
+        if (status == PDN_OK) status = pdn_solution_history(self%c, found_residuals, &
+            found_increments, found_steps, int(asked%iterations, c_size_t))
+        if (status == PDN_OK) then
+            call move_alloc(found_residuals, residuals)
+            call move_alloc(found_increments, increments)
+            call move_alloc(found_steps, steps)
+        end if
+        call report(status, stat, errmsg)
+    end subroutine solution_history
+
+    ! Decay of the harmonics: largest amplitude of each over all nodes, of positions relative to
+    ! the size of the mechanism and of entries of rotation matrices.
+    subroutine solution_decay(self, amplitudes, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        real(c_double), allocatable, intent(inout) :: amplitudes(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_diagnostics) :: asked
+        real(c_double), allocatable :: found_amplitudes(:)
+        integer(c_int32_t) :: status
+
+        call pdn_init(asked)
+        status = pdn_solution_diagnostics(self%c, asked)
+        allocate (found_amplitudes((asked%grid_points + 1)/2))
+        if (status == PDN_OK) status = pdn_solution_decay(self%c, found_amplitudes, &
+            int((asked%grid_points + 1)/2, c_size_t))
+        if (status == PDN_OK) call move_alloc(found_amplitudes, amplitudes)
+        call report(status, stat, errmsg)
+    end subroutine solution_decay
+
+    ! Number of events that the grid points of a solution are closer together about: 0 if they are
+    ! equispaced.
+    subroutine solution_sharp_event_count(self, out, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: out
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: found_out
+        integer(c_int32_t) :: status
+
+        status = pdn_solution_sharp_event_count(self%c, found_out)
+        if (status == PDN_OK) out = int(found_out, c_int32_t)
+        call report(status, stat, errmsg)
+    end subroutine solution_sharp_event_count
+
+    ! Events that the grid points of a solution are closer together about, those of
+    ! pdn_periodic_options or such as a solve to a tolerance has found.
+    subroutine solution_sharp_events(self, times, widths, shares, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        real(c_double), allocatable, intent(inout) :: times(:), widths(:), shares(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: asked
+        real(c_double), allocatable :: found_times(:), found_widths(:), found_shares(:)
+        integer(c_int32_t) :: status
+
+        asked = 0
+        status = pdn_solution_sharp_event_count(self%c, asked)
+        allocate (found_times(asked))
+        allocate (found_widths(asked))
+        allocate (found_shares(asked))
+        if (status == PDN_OK) status = pdn_solution_sharp_events(self%c, found_times, &
+            found_widths, found_shares, int(asked, c_size_t))
+        if (status == PDN_OK) then
+            call move_alloc(found_times, times)
+            call move_alloc(found_widths, widths)
+            call move_alloc(found_shares, shares)
+        end if
+        call report(status, stat, errmsg)
+    end subroutine solution_sharp_events
+
+    ! Grid times t_k = k T / N, unless grid points are closer together about events; of a march
+    ! the times of its steps, from the start.
+    subroutine solution_grid_times(self, times, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        real(c_double), allocatable, intent(inout) :: times(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_diagnostics) :: asked
+        real(c_double), allocatable :: found_times(:)
+        integer(c_int32_t) :: status
+
+        call pdn_init(asked)
+        status = pdn_solution_diagnostics(self%c, asked)
+        allocate (found_times(asked%grid_points))
+        if (status == PDN_OK) status = pdn_solution_grid_times(self%c, found_times, &
+            int(asked%grid_points, c_size_t))
+        if (status == PDN_OK) call move_alloc(found_times, times)
+        call report(status, stat, errmsg)
+    end subroutine solution_grid_times
+
+    ! A quantity of a solution at any times.
+    subroutine solution_sample(self, quantity, times, out, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        type(pdn_quantity), intent(in) :: quantity
+        real(c_double), intent(in), contiguous :: times(:)
+        real(c_double), intent(inout), contiguous :: out(:, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
+        integer :: components
+        integer(c_int32_t) :: status
+
+        count = size(times, 1, c_size_t)
+        components = pdn_quantity_components(quantity)
+        if (.not. fits('out', shape(out), [components, int(count)], stat, errmsg)) return
+        status = pdn_solution_sample(self%c, quantity, times, count, out)
+        call report(status, stat, errmsg)
+    end subroutine solution_sample
+
+    ! A quantity of a solution at any times.
+    subroutine solution_sample_flat(self, quantity, times, out, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        type(pdn_quantity), intent(in) :: quantity
+        real(c_double), intent(in), contiguous :: times(:)
+        real(c_double), intent(inout), contiguous :: out(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
+        integer :: components
+        integer(c_int32_t) :: status
+
+        count = size(times, 1, c_size_t)
+        components = pdn_quantity_components(quantity)
+        if (.not. fits('out', shape(out), [components*int(count)], stat, errmsg)) return
+        status = pdn_solution_sample(self%c, quantity, times, count, out)
+        call report(status, stat, errmsg)
+    end subroutine solution_sample_flat
+
+    ! Fourier coefficients of a quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j] sin
+    ! jwt.
+    subroutine solution_harmonics(self, quantity, mean, rate, cosines, sines, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        type(pdn_quantity), intent(in) :: quantity
+        real(c_double), intent(inout), contiguous, optional :: mean(:), rate(:), cosines(:, :), &
+            sines(:, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: harmonics
+        integer :: components
+        integer(c_int32_t) :: status
+
+        harmonics = 0
+        if (present(sines)) harmonics = size(sines, 2, c_size_t)
+        if (present(cosines)) harmonics = size(cosines, 2, c_size_t)
+        components = pdn_quantity_components(quantity)
+        if (present(mean)) then
+            if (.not. fits('mean', shape(mean), [components], stat, errmsg)) return
+        end if
+        if (present(rate)) then
+            if (.not. fits('rate', shape(rate), [components], stat, errmsg)) return
+        end if
+        if (present(cosines)) then
+            if (.not. fits('cosines', shape(cosines), [components, int(harmonics)], stat, &
+                errmsg)) return
+        end if
+        if (present(sines)) then
+            if (.not. fits('sines', shape(sines), [components, int(harmonics)], stat, &
+                errmsg)) return
+        end if
+        status = pdn_solution_harmonics(self%c, quantity, harmonics, mean, rate, cosines, sines)
+        call report(status, stat, errmsg)
+    end subroutine solution_harmonics
+
+    ! Smallest and largest values of a quantity, and their times.
+    subroutine solution_extremes(self, quantity, smallest, time_of_smallest, largest, &
+        time_of_largest, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        type(pdn_quantity), intent(in) :: quantity
+        real(c_double), intent(inout), contiguous, optional :: smallest(:), time_of_smallest(:), &
+            largest(:), time_of_largest(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer :: components
+        integer(c_int32_t) :: status
+
+        components = pdn_quantity_components(quantity)
+        if (present(smallest)) then
+            if (.not. fits('smallest', shape(smallest), [components], stat, errmsg)) return
+        end if
+        if (present(time_of_smallest)) then
+            if (.not. fits('time_of_smallest', shape(time_of_smallest), [components], stat, &
+                errmsg)) return
+        end if
+        if (present(largest)) then
+            if (.not. fits('largest', shape(largest), [components], stat, errmsg)) return
+        end if
+        if (present(time_of_largest)) then
+            if (.not. fits('time_of_largest', shape(time_of_largest), [components], stat, &
+                errmsg)) return
+        end if
+        status = pdn_solution_extremes(self%c, quantity, smallest, time_of_smallest, largest, &
+            time_of_largest)
+        call report(status, stat, errmsg)
+    end subroutine solution_extremes
+
+    ! A copy of a solution whose quantities are seen through a spectral filter.
+    subroutine solution_filtered(self, filter, order, solution, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        integer(c_int32_t), intent(in) :: filter, order
+        type(pdn_solution), intent(inout) :: solution
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: made
+        integer(c_int32_t) :: status
+
+        status = pdn_solution_filtered(self%c, filter, order, made)
+        if (status == PDN_OK) call solution%adopt(made, pdn_solution_free)
+        call report(status, stat, errmsg)
+    end subroutine solution_filtered
+
+    ! Value of a parameter in a solution: given, or found.
+    subroutine solution_parameter(self, parameter, out, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        integer(c_int32_t), intent(in) :: parameter
+        real(c_double), intent(inout) :: out
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_solution_parameter(self%c, parameter, out)
+        call report(status, stat, errmsg)
+    end subroutine solution_parameter
+
+    ! Derivatives of what comes out of a periodic solution by parameters of its model.
+    subroutine solution_sensitivities(self, sensitivities, derivatives, conditions, options, &
+        stat, errmsg)
         class(pdn_solution), intent(in) :: self
         type(pdn_sensitivities), intent(in) :: sensitivities
-        real(c_double), intent(out), contiguous :: derivatives(:, :)
+        real(c_double), intent(inout), contiguous :: derivatives(:, :)
         type(pdn_conditions), intent(in), optional :: conditions
         type(pdn_sensitivity_options), intent(in), optional :: options
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        type(c_ptr) :: held
+        integer(c_size_t) :: dependents, parameters
+        type(c_ptr) :: raw_conditions
+        integer(c_int32_t) :: status
 
-        held = c_null_ptr
-        if (present(conditions)) held = conditions%c
-        call report(pdn_solution_sensitivities(self%c, sensitivities%c, held, options, derivatives, &
-            size(derivatives, 1, kind=c_size_t), size(derivatives, 2, kind=c_size_t)), stat, errmsg)
+        dependents = size(derivatives, 1, c_size_t)
+        parameters = size(derivatives, 2, c_size_t)
+        raw_conditions = c_null_ptr
+        if (present(conditions)) raw_conditions = conditions%c
+        status = pdn_solution_sensitivities(self%c, sensitivities%c, raw_conditions, options, &
+            derivatives, dependents, parameters)
+        call report(status, stat, errmsg)
     end subroutine solution_sensitivities
 
-    subroutine solution_multiplier_sensitivities(self, sensitivities, stability, number, derivatives, &
+    ! Derivatives of a Floquet multiplier of a periodic solution by parameters of its model.
+    subroutine solution_multiplier_sensitivities(self, sensitivities, stability, number, re, im, &
         conditions, options, stat, errmsg)
         class(pdn_solution), intent(in) :: self
         type(pdn_sensitivities), intent(in) :: sensitivities
         type(pdn_stability), intent(in) :: stability
         integer(c_int32_t), intent(in) :: number
-        complex(c_double), intent(out) :: derivatives(:)
+        real(c_double), intent(inout), contiguous :: re(:), im(:)
         type(pdn_conditions), intent(in), optional :: conditions
         type(pdn_sensitivity_options), intent(in), optional :: options
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        real(c_double) :: re(size(derivatives)), im(size(derivatives))
-        type(c_ptr) :: held
+        integer(c_size_t) :: parameters
+        type(c_ptr) :: raw_conditions
+        integer(c_int32_t) :: status
 
-        held = c_null_ptr
-        if (present(conditions)) held = conditions%c
-        re = 0
-        im = 0
-        call report(pdn_solution_multiplier_sensitivities(self%c, sensitivities%c, stability%c, &
-            number, held, options, re, im, size(derivatives, kind=c_size_t)), &
-            stat, errmsg)
-        derivatives = cmplx(re, im, c_double)
+        parameters = size(re, 1, c_size_t)
+        raw_conditions = c_null_ptr
+        if (present(conditions)) raw_conditions = conditions%c
+        if (.not. fits('im', shape(im), [int(parameters)], stat, errmsg)) return
+        status = pdn_solution_multiplier_sensitivities(self%c, sensitivities%c, stability%c, &
+            number, raw_conditions, options, re, im, parameters)
+        call report(status, stat, errmsg)
     end subroutine solution_multiplier_sensitivities
 
-    ! Finds a periodic response that meets conditions, and as many free parameters.
-    subroutine model_solve_conditioned(self, period, conditions, solution, options, initial, stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        real(c_double), intent(in) :: period
-        type(pdn_conditions), intent(in) :: conditions
-        type(pdn_solution), intent(inout) :: solution
-        type(pdn_periodic_options), intent(in), optional :: options
-        type(pdn_solution), intent(in), optional :: initial
+    ! Figures of a march: steps, periods, how much the last of them differ, how much the start was
+    ! changed.
+    subroutine solution_march(self, out, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        type(pdn_march_diagnostics), intent(inout) :: out
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        type(pdn_periodic_options) :: chosen
-        type(c_ptr) :: c
+        type(pdn_march_diagnostics) :: found_out
         integer(c_int32_t) :: status
 
-        call pdn_init(chosen)
-        if (present(options)) chosen = options
-        if (present(initial)) chosen%initial = initial%c
-        status = pdn_solve_conditioned(self%c, period, conditions%c, chosen, c)
-        if (status == PDN_OK) call solution%adopt(c, pdn_solution_free)
+        call pdn_init(found_out)
+        status = pdn_solution_march(self%c, found_out)
+        if (status == PDN_OK) out = found_out
         call report(status, stat, errmsg)
-    end subroutine model_solve_conditioned
+    end subroutine solution_march
 
-    ! Follows periodic motions along a parameter, or PDN_FREQUENCY, through folds. Options of the solves, an initial
-    ! solution and conditions take the place of the pointers of the options.
-    subroutine model_follow_branch(self, period, parameter, branch, options, periodic, initial, conditions, &
-        stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        real(c_double), intent(in) :: period
-        integer(c_int32_t), intent(in) :: parameter
-        type(pdn_branch), intent(inout) :: branch
-        type(pdn_branch_options), intent(in) :: options
-        type(pdn_periodic_options), intent(in), optional :: periodic
-        type(pdn_solution), intent(in), optional :: initial
-        type(pdn_conditions), intent(in), optional :: conditions
+    ! Number of Floquet multipliers of a solution: as many as the system has states, if
+    ! solve_shooting found them; of a periodic solution as many as solve_stability finds, which is
+    ! called with default options unless it has been before.
+    subroutine solution_floquet_count(self, out, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: out
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        type(pdn_periodic_options), target :: solves
-        type(pdn_branch_options) :: chosen
-        type(c_ptr) :: c
+        integer(c_size_t) :: found_out
         integer(c_int32_t) :: status
 
-        chosen = options
-        call choose(chosen, solves, periodic, initial, conditions)
-        status = pdn_follow_branch(self%c, period, parameter, chosen, c)
-        if (status == PDN_OK) call branch%adopt(c, pdn_branch_free)
+        status = pdn_solution_floquet_count(self%c, found_out)
+        if (status == PDN_OK) out = int(found_out, c_int32_t)
         call report(status, stat, errmsg)
-    end subroutine model_follow_branch
+    end subroutine solution_floquet_count
 
-    ! Finds the response over a range of circular frequencies, through folds; as follow_branch.
-    subroutine model_solve_frequency_response(self, first, last, branch, options, periodic, initial, stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        real(c_double), intent(in) :: first, last
-        type(pdn_branch), intent(inout) :: branch
-        type(pdn_branch_options), intent(in), optional :: options
-        type(pdn_periodic_options), intent(in), optional :: periodic
-        type(pdn_solution), intent(in), optional :: initial
+    ! Floquet multipliers: what disturbances of the motion are multiplied by in a period, the
+    ! largest first.
+    subroutine solution_floquet(self, real, imaginary, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        real(c_double), allocatable, intent(inout) :: real(:), imaginary(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        type(pdn_periodic_options), target :: solves
-        type(pdn_branch_options) :: chosen
-        type(c_ptr) :: c
+        integer(c_size_t) :: asked
+        real(c_double), allocatable :: found_real(:), found_imaginary(:)
         integer(c_int32_t) :: status
 
-        call pdn_init(chosen)
-        if (present(options)) chosen = options
-        call choose(chosen, solves, periodic, initial)
-        status = pdn_solve_frequency_response(self%c, first, last, chosen, c)
-        if (status == PDN_OK) call branch%adopt(c, pdn_branch_free)
+        asked = 0
+        status = pdn_solution_floquet_count(self%c, asked)
+        allocate (found_real(asked))
+        allocate (found_imaginary(asked))
+        if (status == PDN_OK) status = pdn_solution_floquet(self%c, found_real, found_imaginary, &
+            int(asked, c_size_t))
+        if (status == PDN_OK) then
+            call move_alloc(found_real, real)
+            call move_alloc(found_imaginary, imaginary)
+        end if
         call report(status, stat, errmsg)
-    end subroutine model_solve_frequency_response
+    end subroutine solution_floquet
 
-    ! Puts options of the solves, a start and conditions behind the pointers of options of a branch.
-    subroutine choose(chosen, solves, periodic, initial, conditions)
-        type(pdn_branch_options), intent(inout) :: chosen
-        type(pdn_periodic_options), intent(out), target :: solves
-        type(pdn_periodic_options), intent(in), optional :: periodic
-        type(pdn_solution), intent(in), optional :: initial
-        type(pdn_conditions), intent(in), optional :: conditions
-
-        call pdn_init(solves)
-        if (present(periodic)) solves = periodic
-        if (present(initial)) solves%initial = initial%c
-        if (present(periodic) .or. present(initial)) chosen%periodic = c_loc(solves)
-        if (present(conditions)) chosen%conditions = conditions%c
-    end subroutine choose
-
-    ! PDN_BRANCH_RANGE, or why else it ended.
-    subroutine branch_end(self, end, stat, errmsg)
-        class(pdn_branch), intent(in) :: self
-        integer(c_int32_t), intent(inout) :: end
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: found
-
-        found = pdn_branch_end(self%c)
-        if (found >= 0) end = found
-        call report(min(found, PDN_OK), stat, errmsg)
-    end subroutine branch_end
-
-    ! A readable report.
-    function branch_report(self) result(text)
-        class(pdn_branch), intent(in) :: self
-        character(:), allocatable :: text
-        character(kind=c_char), allocatable :: buffer(:)
-        integer(c_size_t) :: length
-
-        allocate (buffer(pdn_branch_report(self%c, capacity=0_c_size_t) + 1))
-        length = pdn_branch_report(self%c, buffer, size(buffer, kind=c_size_t))
-        text = joined(buffer(:length))
-    end function branch_report
-
-    ! Number of points.
-    subroutine branch_count(self, count, stat, errmsg)
-        class(pdn_branch), intent(in) :: self
-        integer(c_int32_t), intent(inout) :: count
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_branch_count(self%c, count), stat, errmsg)
-    end subroutine branch_count
-
-    ! A point: parameter, period, step, event.
-    subroutine branch_get(self, point, out, stat, errmsg)
-        class(pdn_branch), intent(in) :: self
-        integer(c_int32_t), intent(in) :: point
-        type(pdn_branch_point), intent(inout) :: out
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(pdn_branch_point) :: found
-        integer(c_int32_t) :: status
-
-        call pdn_branch_point_init(found, c_sizeof(found))
-        status = pdn_branch_get(self%c, point, found)
-        if (status == PDN_OK) out = found
-        call report(status, stat, errmsg)
-    end subroutine branch_get
-
-    ! The solution at a point.
-    subroutine branch_solution(self, point, solution, stat, errmsg)
-        class(pdn_branch), intent(in) :: self
-        integer(c_int32_t), intent(in) :: point
-        type(pdn_solution), intent(inout) :: solution
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(c_ptr) :: c
-        integer(c_int32_t) :: status
-
-        status = pdn_branch_solution(self%c, point, c)
-        if (status == PDN_OK) call solution%adopt(c, pdn_solution_free)
-        call report(status, stat, errmsg)
-    end subroutine branch_solution
-
-    ! A line for each point, with the mean, the first harmonic, the least and the largest value of each component of
-    ! quantities.
-    subroutine branch_write_csv(self, path, quantities, stat, errmsg)
-        class(pdn_branch), intent(in) :: self
-        character(*), intent(in) :: path
-        type(pdn_quantity), intent(in), optional :: quantities(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer(c_size_t) :: count
-
-        count = 0
-        if (present(quantities)) count = size(quantities, kind=c_size_t)
-        call report(pdn_branch_write_csv(self%c, quantities, count, c_text(path)), stat, errmsg)
-    end subroutine branch_write_csv
-
-    ! Exponents along the branch, with what moves in them; blades are a node of each of the equal parts of a rotor, one
-    ! after the other around it.
-    subroutine branch_write_campbell(self, path, blades, options, stat, errmsg)
-        class(pdn_branch), intent(in) :: self
-        character(*), intent(in) :: path
-        integer(c_int32_t), intent(in), optional :: blades(:)
+    ! Finds the Floquet multipliers of a periodic solution: what small disturbances are multiplied
+    ! by in a period.
+    subroutine solution_solve_stability(self, stability, options, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        type(pdn_stability), intent(inout) :: stability
         type(pdn_stability_options), intent(in), optional :: options
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_size_t) :: count
-
-        count = 0
-        if (present(blades)) count = size(blades, kind=c_size_t)
-        call report(pdn_branch_write_campbell(self%c, options, blades, count, c_text(path)), stat, errmsg)
-    end subroutine branch_write_campbell
-
-    ! The other branch from a branch point or a period doubling on. Options of the solves and conditions take the place
-    ! of the pointers of the options.
-    subroutine branch_switch(self, point, amplitude, branch, options, periodic, conditions, stat, errmsg)
-        class(pdn_branch), intent(in) :: self
-        integer(c_int32_t), intent(in) :: point
-        real(c_double), intent(in) :: amplitude
-        type(pdn_branch), intent(inout) :: branch
-        type(pdn_branch_options), intent(in) :: options
-        type(pdn_periodic_options), intent(in), optional :: periodic
-        type(pdn_conditions), intent(in), optional :: conditions
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(pdn_periodic_options), target :: solves
-        type(pdn_branch_options) :: chosen
-        type(c_ptr) :: c
+        type(c_ptr) :: made
         integer(c_int32_t) :: status
 
-        chosen = options
-        call choose(chosen, solves, periodic, conditions=conditions)
-        status = pdn_switch_branch(self%c, point, amplitude, chosen, c)
-        if (status == PDN_OK) call branch%adopt(c, pdn_branch_free)
+        status = pdn_solve_stability(self%c, options, made)
+        if (status == PDN_OK) call stability%adopt(made, pdn_stability_free)
         call report(status, stat, errmsg)
-    end subroutine branch_switch
+    end subroutine solution_solve_stability
 
-    ! Folds, period doublings or torus points along a second parameter, from one of them on; as branch_switch.
-    subroutine branch_follow_locus(self, point, parameter, locus, options, periodic, conditions, stat, errmsg)
-        class(pdn_branch), intent(in) :: self
-        integer(c_int32_t), intent(in) :: point, parameter
-        type(pdn_branch), intent(inout) :: locus
-        type(pdn_branch_options), intent(in) :: options
-        type(pdn_periodic_options), intent(in), optional :: periodic
-        type(pdn_conditions), intent(in), optional :: conditions
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(pdn_periodic_options), target :: solves
-        type(pdn_branch_options) :: chosen
-        type(c_ptr) :: c
-        integer(c_int32_t) :: status
-
-        chosen = options
-        call choose(chosen, solves, periodic, conditions=conditions)
-        status = pdn_follow_locus(self%c, point, parameter, chosen, c)
-        if (status == PDN_OK) call locus%adopt(c, pdn_branch_free)
-        call report(status, stat, errmsg)
-    end subroutine branch_follow_locus
-
-    ! The branch followed on from its last point; as branch_switch.
-    subroutine branch_continue(self, branch, options, periodic, conditions, stat, errmsg)
-        class(pdn_branch), intent(in) :: self
-        type(pdn_branch), intent(inout) :: branch
-        type(pdn_branch_options), intent(in) :: options
-        type(pdn_periodic_options), intent(in), optional :: periodic
-        type(pdn_conditions), intent(in), optional :: conditions
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(pdn_periodic_options), target :: solves
-        type(pdn_branch_options) :: chosen
-        type(c_ptr) :: c
-        integer(c_int32_t) :: status
-
-        chosen = options
-        call choose(chosen, solves, periodic, conditions=conditions)
-        status = pdn_continue_branch(self%c, chosen, c)
-        if (status == PDN_OK) call branch%adopt(c, pdn_branch_free)
-        call report(status, stat, errmsg)
-    end subroutine branch_continue
-
-    ! Saves the branch with its model, for load.
-    subroutine branch_save(self, path, stat, errmsg)
-        class(pdn_branch), intent(in) :: self
-        character(*), intent(in) :: path
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_branch_save(self%c, c_text(path)), stat, errmsg)
-    end subroutine branch_save
-
-    ! A branch that was saved, in place of what was held.
-    subroutine branch_load(self, path, stat, errmsg)
-        class(pdn_branch), intent(inout) :: self
-        character(*), intent(in) :: path
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(c_ptr) :: c
-        integer(c_int32_t) :: status
-
-        status = pdn_branch_load(c_text(path), c)
-        if (status == PDN_OK) call self%adopt(c, pdn_branch_free)
-        call report(status, stat, errmsg)
-    end subroutine branch_load
-
-    ! Modes ---------------------------------------------------------------------------------------------------
-
-    ! Finds an equilibrium, and the modes of small motions about it. How to find the equilibrium, and an initial
-    ! solution of it, take the place of the pointers of the options.
-    subroutine model_solve_modes(self, modes, options, equilibrium, initial, stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        type(pdn_modes), intent(inout) :: modes
-        type(pdn_modes_options), intent(in), optional :: options
-        type(pdn_static_options), intent(in), optional :: equilibrium
-        type(pdn_solution), intent(in), optional :: initial
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(pdn_modes_options) :: chosen
-        type(pdn_static_options), target :: at_rest
-        type(c_ptr) :: c
-        integer(c_int32_t) :: status
-
-        call pdn_init(at_rest)
-        if (present(equilibrium)) at_rest = equilibrium
-        if (present(initial)) at_rest%initial = initial%c
-        call pdn_init(chosen)
-        if (present(options)) chosen = options
-        chosen%equilibrium = c_loc(at_rest)
-        status = pdn_solve_modes(self%c, chosen, c)
-        if (status == PDN_OK) call modes%adopt(c, pdn_modes_free)
-        call report(status, stat, errmsg)
-    end subroutine model_solve_modes
-
-    ! Whether there are modes, and the equilibrium has converged.
-    logical function modes_converged(self)
-        class(pdn_modes), intent(in) :: self
-
-        modes_converged = pdn_modes_outcome(self%c) == PDN_CONVERGED
-    end function modes_converged
-
-    ! Outcome of the equilibrium, and a table of the modes; empty if there are none.
-    function modes_report(self) result(text)
-        class(pdn_modes), intent(in) :: self
-        character(:), allocatable :: text
-        character(kind=c_char), allocatable :: buffer(:)
-        integer(c_size_t) :: length
-
-        allocate (buffer(pdn_modes_report(self%c, capacity=0_c_size_t) + 1))
-        length = pdn_modes_report(self%c, buffer, size(buffer, kind=c_size_t))
-        text = joined(buffer(:length))
-    end function modes_report
-
-    ! Of the equilibrium: PDN_CONVERGED, or why there are no modes.
-    subroutine modes_outcome(self, outcome, stat, errmsg)
-        class(pdn_modes), intent(in) :: self
-        integer(c_int32_t), intent(inout) :: outcome
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: found
-
-        found = pdn_modes_outcome(self%c)
-        if (found >= 0) outcome = found
-        call report(min(found, PDN_OK), stat, errmsg)
-    end subroutine modes_outcome
-
-    ! Number of modes, and whether these are all that were wanted, or all that there are.
-    subroutine modes_count(self, count, complete, stat, errmsg)
-        class(pdn_modes), intent(in) :: self
-        integer(c_int32_t), intent(inout) :: count
-        logical, intent(inout), optional :: complete
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status, all_found
-
-        status = pdn_modes_count(self%c, count, all_found)
-        if (status == PDN_OK .and. present(complete)) complete = all_found /= 0
-        call report(status, stat, errmsg)
-    end subroutine modes_count
-
-    ! Eigenvalue, frequency and damping of a mode.
-    subroutine modes_get(self, number, mode, stat, errmsg)
-        class(pdn_modes), intent(in) :: self
-        integer(c_int32_t), intent(in) :: number
-        type(pdn_mode), intent(inout) :: mode
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(pdn_mode) :: found
-        integer(c_int32_t) :: status
-
-        call pdn_mode_init(found, c_sizeof(found))
-        status = pdn_modes_get(self%c, number, found)
-        if (status == PDN_OK) mode = found
-        call report(status, stat, errmsg)
-    end subroutine modes_get
-
-    ! Displacement and rotation of nodes along their own axes: 6 x nodes.
-    subroutine modes_shape(self, number, nodes, real, imaginary, stat, errmsg)
-        class(pdn_modes), intent(in) :: self
-        integer(c_int32_t), intent(in) :: number, nodes(:)
-        real(c_double), intent(inout) :: real(:, :)
-        real(c_double), intent(inout), optional, contiguous :: imaginary(:, :)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (.not. fits('real', shape(real), [6, size(nodes)], stat, errmsg)) return
-        if (present(imaginary)) then
-            if (.not. fits('imaginary', shape(imaginary), shape(real), stat, errmsg)) return
-        end if
-        call report(pdn_modes_shape(self%c, number, nodes, size(nodes, kind=c_size_t), real, imaginary), stat, errmsg)
-    end subroutine modes_shape
-
-    ! The motion in a mode.
-    subroutine modes_motion(self, number, amplitude, solution, stat, errmsg)
-        class(pdn_modes), intent(in) :: self
-        integer(c_int32_t), intent(in) :: number
-        real(c_double), intent(in) :: amplitude
-        type(pdn_solution), intent(inout) :: solution
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(c_ptr) :: c
-        integer(c_int32_t) :: status
-
-        status = pdn_modes_motion(self%c, number, amplitude, c)
-        if (status == PDN_OK) call solution%adopt(c, pdn_solution_free)
-        call report(status, stat, errmsg)
-    end subroutine modes_motion
-
-    subroutine modes_equilibrium(self, solution, stat, errmsg)
-        class(pdn_modes), intent(in) :: self
-        type(pdn_solution), intent(inout) :: solution
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(c_ptr) :: c
-        integer(c_int32_t) :: status
-
-        status = pdn_modes_equilibrium(self%c, c)
-        if (status == PDN_OK) call solution%adopt(c, pdn_solution_free)
-        call report(status, stat, errmsg)
-    end subroutine modes_equilibrium
-
-    ! Files ---------------------------------------------------------------------------------------------------
-
-    ! An animation for ParaView; the path ends in `.pvd`.
+    ! Writes an animation of a solution that ParaView opens: VTK's XML files, and a list of them.
     subroutine solution_write_vtk(self, times, points_per_element, path, stat, errmsg)
         class(pdn_solution), intent(in) :: self
-        real(c_double), intent(in) :: times(:)
+        real(c_double), intent(in), contiguous :: times(:)
         integer(c_int32_t), intent(in) :: points_per_element
         character(*), intent(in) :: path
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: status
 
-        call report(pdn_solution_write_vtk(self%c, times, size(times, kind=c_size_t), count_of(points_per_element), &
-            c_text(path)), stat, errmsg)
+        count = size(times, 1, c_size_t)
+        status = pdn_solution_write_vtk(self%c, times, count, int(max(points_per_element, 0), &
+            c_size_t), trim(path)//c_null_char)
+        call report(status, stat, errmsg)
     end subroutine solution_write_vtk
 
-    ! Saves the solution with its model, for load.
+    ! Saves a solution with its model, whether it has converged or not.
     subroutine solution_save(self, path, stat, errmsg)
         class(pdn_solution), intent(in) :: self
         character(*), intent(in) :: path
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
 
-        call report(pdn_solution_save(self%c, c_text(path)), stat, errmsg)
+        status = pdn_solution_save(self%c, trim(path)//c_null_char)
+        call report(status, stat, errmsg)
     end subroutine solution_save
 
-    ! A solution that was saved, in place of what was held.
+    ! Loads a solution that save saved: its quantities, diagnostics and report are what they were.
     subroutine solution_load(self, path, stat, errmsg)
         class(pdn_solution), intent(inout) :: self
         character(*), intent(in) :: path
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        type(c_ptr) :: c
+        type(c_ptr) :: made
         integer(c_int32_t) :: status
 
-        status = pdn_solution_load(c_text(path), c)
-        if (status == PDN_OK) call self%adopt(c, pdn_solution_free)
+        status = pdn_solution_load(trim(path)//c_null_char, made)
+        if (status == PDN_OK) call self%adopt(made, pdn_solution_free)
         call report(status, stat, errmsg)
     end subroutine solution_load
 
-    ! A copy, which may be changed and solved apart from it.
-    subroutine model_copy(self, copy, stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        type(pdn_model), intent(inout) :: copy
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(c_ptr) :: c
-        integer(c_int32_t) :: status
-
-        status = pdn_model_copy(self%c, c)
-        if (status == PDN_OK) call copy%adopt(c, pdn_model_free)
-        call report(status, stat, errmsg)
-    end subroutine model_copy
-
-    ! Saves the model, without the functions it may call, for load.
-    subroutine model_save(self, path, stat, errmsg)
-        class(pdn_model), intent(in) :: self
-        character(*), intent(in) :: path
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call report(pdn_model_save(self%c, c_text(path)), stat, errmsg)
-    end subroutine model_save
-
-    ! A model that was saved, in place of what was held.
-    subroutine model_load(self, path, stat, errmsg)
-        class(pdn_model), intent(inout) :: self
-        character(*), intent(in) :: path
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(c_ptr) :: c
-        integer(c_int32_t) :: status
-
-        status = pdn_model_load(c_text(path), c)
-        if (status == PDN_OK) call self%adopt(c, pdn_model_free)
-        call report(status, stat, errmsg)
-    end subroutine model_load
-
-    ! A copy of the model, as it was when it was solved.
+    ! A copy of the model that a solution is of, as it was when it was solved.
     subroutine solution_model(self, model, stat, errmsg)
         class(pdn_solution), intent(in) :: self
         type(pdn_model), intent(inout) :: model
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        type(c_ptr) :: c
+        type(c_ptr) :: made
         integer(c_int32_t) :: status
 
-        status = pdn_solution_model(self%c, c)
-        if (status == PDN_OK) call model%adopt(c, pdn_model_free)
+        status = pdn_solution_model(self%c, made)
+        if (status == PDN_OK) call model%adopt(made, pdn_model_free)
         call report(status, stat, errmsg)
     end subroutine solution_model
 
-    ! A table over these times, in place of what was held.
-    subroutine table_new(self, times, stat, errmsg)
-        class(pdn_table), intent(inout) :: self
-        real(c_double), intent(in) :: times(:)
+    ! How the analysis ended.
+    subroutine stability_outcome(self, outcome, stat, errmsg)
+        class(pdn_stability), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: outcome
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        type(c_ptr) :: c
         integer(c_int32_t) :: status
 
-        status = pdn_table_new(times, size(times, kind=c_size_t), c)
-        if (status == PDN_OK) call self%adopt(c, pdn_table_free)
-        call report(status, stat, errmsg)
-    end subroutine table_new
+        status = pdn_stability_outcome(self%c)
+        if (status >= 0) outcome = status
+        call report(min(status, PDN_OK), stat, errmsg)
+    end subroutine stability_outcome
 
-    ! A quantity, or one of its components.
-    subroutine table_add(self, solution, quantity, label, stat, errmsg)
+    ! Whether it is there, and has converged.
+    logical function stability_converged(self)
+        class(pdn_stability), intent(in) :: self
+
+        stability_converged = pdn_stability_outcome(self%c) == PDN_CONVERGED
+    end function stability_converged
+
+    ! What the multipliers say.
+    subroutine stability_verdict(self, verdict, frequency_limit, stat, errmsg)
+        class(pdn_stability), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: verdict
+        real(c_double), intent(inout), optional :: frequency_limit
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_stability_verdict(self%c, verdict, frequency_limit)
+        call report(status, stat, errmsg)
+    end subroutine stability_verdict
+
+    ! Number of multipliers that are known, and of those that the system has, one for each state.
+    subroutine stability_count(self, out, states, stat, errmsg)
+        class(pdn_stability), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: out
+        integer(c_int32_t), intent(inout), optional :: states
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: found_out, found_states
+        integer(c_int32_t) :: status
+
+        status = pdn_stability_count(self%c, found_out, found_states)
+        if (status == PDN_OK) then
+            out = int(found_out, c_int32_t)
+            if (present(states)) states = int(found_states, c_int32_t)
+        end if
+        call report(status, stat, errmsg)
+    end subroutine stability_count
+
+    ! A multiplier.
+    subroutine stability_get(self, number, out, stat, errmsg)
+        class(pdn_stability), intent(in) :: self
+        integer(c_int32_t), intent(in) :: number
+        type(pdn_multiplier), intent(inout) :: out
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_multiplier) :: found_out
+        integer(c_int32_t) :: status
+
+        call pdn_init(found_out)
+        status = pdn_stability_get(self%c, number, found_out)
+        if (status == PDN_OK) out = found_out
+        call report(status, stat, errmsg)
+    end subroutine stability_get
+
+    ! Times of the shapes of modes: ends of equal steps over the period, the last is the period.
+    subroutine stability_times(self, times, steps, stat, errmsg)
+        class(pdn_stability), intent(in) :: self
+        real(c_double), intent(inout), contiguous, optional :: times(:)
+        integer(c_int32_t), intent(inout), optional :: steps
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count, found_steps
+        integer(c_int32_t) :: status
+
+        count = 0
+        if (present(times)) count = size(times, 1, c_size_t)
+        status = pdn_stability_times(self%c, times, count, found_steps)
+        if (status == PDN_OK) then
+            if (present(steps)) steps = int(found_steps, c_int32_t)
+        end if
+        call report(status, stat, errmsg)
+    end subroutine stability_times
+
+    ! The mode phi of a multiplier at a node over the period.
+    subroutine stability_shape(self, number, node, real, imaginary, stat, errmsg)
+        class(pdn_stability), intent(in) :: self
+        integer(c_int32_t), intent(in) :: number, node
+        real(c_double), intent(inout), contiguous :: real(:, :)
+        real(c_double), intent(inout), contiguous, optional :: imaginary(:, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: steps
+        integer(c_int32_t) :: status
+
+        steps = size(real, 2, c_size_t)
+        if (.not. fits('real', shape(real), [6, int(steps)], stat, errmsg)) return
+        if (present(imaginary)) then
+            if (.not. fits('imaginary', shape(imaginary), [6, int(steps)], stat, errmsg)) return
+        end if
+        status = pdn_stability_shape(self%c, number, node, steps, real, imaginary)
+        call report(status, stat, errmsg)
+    end subroutine stability_shape
+
+    ! A readable report: the verdict, how far it holds, and a table of the multipliers.
+    function stability_report(self) result(text)
+        class(pdn_stability), intent(in) :: self
+        character(:), allocatable :: text
+        integer(c_size_t) :: length
+
+        allocate (character(pdn_stability_report(self%c, capacity=0_c_size_t) + 1) :: text)
+        length = pdn_stability_report(self%c, text, len(text, c_size_t))
+        text = text(:length)
+    end function stability_report
+
+    ! Adds the columns of a quantity of a solution, named by the label and the component; or that
+    ! of one component, named by the label alone.
+    subroutine table_add_quantity(self, solution, quantity, label, stat, errmsg)
         class(pdn_table), intent(inout) :: self
         type(pdn_solution), intent(in) :: solution
         type(pdn_quantity), intent(in) :: quantity
         character(*), intent(in), optional :: label
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        character(kind=c_char), allocatable :: name(:)
+        character(:), allocatable :: raw_label
+        integer(c_int32_t) :: status
 
-        if (present(label)) allocate (name, source=c_text(label))
-        call report(pdn_table_add_quantity(self%c, solution%c, quantity, name), stat, errmsg)
-    end subroutine table_add
+        if (present(label)) raw_label = trim(label)//c_null_char
+        status = pdn_table_add_quantity(self%c, solution%c, quantity, raw_label)
+        call report(status, stat, errmsg)
+    end subroutine table_add_quantity
 
-    ! Values of your own, one for each time.
+    ! A table over these times, to choose columns for and to write as CSV.
+    subroutine table_new(self, times, stat, errmsg)
+        class(pdn_table), intent(inout) :: self
+        real(c_double), intent(in), contiguous :: times(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
+        type(c_ptr) :: made
+        integer(c_int32_t) :: status
+
+        count = size(times, 1, c_size_t)
+        status = c_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR)
+        if (status == PDN_OK) status = pdn_table_new(times, count, made)
+        if (status == PDN_OK) call self%adopt(made, pdn_table_free)
+        call report(status, stat, errmsg)
+    end subroutine table_new
+
+    ! Adds a column of values of your own, such as one computed from several quantities.
     subroutine table_add_values(self, label, values, stat, errmsg)
         class(pdn_table), intent(inout) :: self
         character(*), intent(in) :: label
-        real(c_double), intent(in) :: values(:)
+        real(c_double), intent(in), contiguous :: values(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: status
 
-        call report(pdn_table_add_values(self%c, c_text(label), values, size(values, kind=c_size_t)), stat, errmsg)
+        count = size(values, 1, c_size_t)
+        status = pdn_table_add_values(self%c, trim(label)//c_null_char, values, count)
+        call report(status, stat, errmsg)
     end subroutine table_add_values
 
+    ! Writes a table as a CSV file: a line of names, then a line for each time.
     subroutine table_write_csv(self, path, stat, errmsg)
         class(pdn_table), intent(in) :: self
         character(*), intent(in) :: path
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
 
-        call report(pdn_table_write_csv(self%c, c_text(path)), stat, errmsg)
+        status = pdn_table_write_csv(self%c, trim(path)//c_null_char)
+        call report(status, stat, errmsg)
     end subroutine table_write_csv
-
-    ! Motions -------------------------------------------------------------------------------------------------
-
-    ! Interpolates a motion given at N equispaced times of a period: 3 x N positions, 9 x N rotation matrices.
-    subroutine interpolate_motion(period, positions, rotations, times, position, rotation, velocity, &
-        acceleration, stat, errmsg)
-        real(c_double), intent(in) :: period, positions(:, :), rotations(:, :), times(:)
-        real(c_double), intent(inout), optional :: position(:, :), rotation(:, :), velocity(:, :), acceleration(:, :)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (.not. fits('positions', shape(positions), [3, size(positions, 2)], stat, errmsg)) return
-        if (.not. fits('rotations', shape(rotations), [9, size(positions, 2)], stat, errmsg)) return
-        if (present(position)) then
-            if (.not. fits('position', shape(position), [3, size(times)], stat, errmsg)) return
-        end if
-        if (present(rotation)) then
-            if (.not. fits('rotation', shape(rotation), [9, size(times)], stat, errmsg)) return
-        end if
-        if (present(velocity)) then
-            if (.not. fits('velocity', shape(velocity), [6, size(times)], stat, errmsg)) return
-        end if
-        if (present(acceleration)) then
-            if (.not. fits('acceleration', shape(acceleration), [6, size(times)], stat, errmsg)) return
-        end if
-        call report(c_motion_interpolate(period, positions, rotations, size(positions, 2, c_size_t), times, &
-            size(times, kind=c_size_t), position, rotation, velocity, acceleration), stat, errmsg)
-    end subroutine interpolate_motion
-
-    ! Velocities and accelerations of a motion at its grid points, and their derivatives by the motions.
-    subroutine differentiate_motion(period, positions, rotations, velocity, acceleration, velocity_tangent, &
-        acceleration_tangent, stat, errmsg)
-        real(c_double), intent(in) :: period, positions(:, :), rotations(:, :)
-        real(c_double), intent(inout), optional :: velocity(:, :), acceleration(:, :)
-        real(c_double), intent(inout), optional :: velocity_tangent(:, :), acceleration_tangent(:, :)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer :: points
-
-        points = size(positions, 2)
-        if (.not. fits('positions', shape(positions), [3, points], stat, errmsg)) return
-        if (.not. fits('rotations', shape(rotations), [9, points], stat, errmsg)) return
-        if (present(velocity)) then
-            if (.not. fits('velocity', shape(velocity), [6, points], stat, errmsg)) return
-        end if
-        if (present(acceleration)) then
-            if (.not. fits('acceleration', shape(acceleration), [6, points], stat, errmsg)) return
-        end if
-        if (present(velocity_tangent)) then
-            if (.not. fits('velocity_tangent', shape(velocity_tangent), [6 * points, 6 * points], stat, errmsg)) return
-        end if
-        if (present(acceleration_tangent)) then
-            if (.not. fits('acceleration_tangent', shape(acceleration_tangent), [6 * points, 6 * points], stat, &
-                errmsg)) return
-        end if
-        call report(c_motion_grid_kinematics(period, positions, rotations, int(points, c_size_t), velocity, &
-            acceleration, velocity_tangent, acceleration_tangent), stat, errmsg)
-    end subroutine differentiate_motion
-
 end module periodyn

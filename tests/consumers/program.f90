@@ -21,7 +21,7 @@ program consumer
         hinge)
     call model%add_spring_damper(hinge, PDN_ROTATION, stiffness, damping, 0.0_dp)
     call model%add_load(body, PDN_FRAME_SPACE, PDN_MOMENT_3, &
-        pdn_harmonics(0.0_dp, 0.0_dp, [0.6_dp], [0.0_dp]))
+        pdn_harmonics_signal(0.0_dp, 0.0_dp, [0.6_dp], [0.0_dp]))
     call model%solve_periodic(period, solution)
     call solution%sample(pdn_quantity_of(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION), &
         [0.0_dp], angle)

@@ -129,7 +129,7 @@ contains
         do kind = 1, 3
             call oscillator(model, body, hinge, spring)
             call model%add_load(body, PDN_FRAME_SPACE, PDN_MOMENT_3, &
-                pdn_function(moment, c_loc(amplitude)))
+                pdn_function_signal(moment, c_loc(amplitude)))
             select case (kind)
             case (1)
                 call model%add_coordinate_law(hinge, PDN_ROTATION, PDN_TANGENTS_DIFFERENCED, law, &
@@ -172,14 +172,14 @@ contains
         integer :: body, hinge, spring, stat
 
         call oscillator(model, body, hinge, spring)
-        call model%add_load(body, PDN_FRAME_SPACE, PDN_MOMENT_3, pdn_function(failing))
+        call model%add_load(body, PDN_FRAME_SPACE, PDN_MOMENT_3, pdn_function_signal(failing))
         call model%solve_periodic(period, solution, stat=stat, errmsg=errmsg)
         call check(stat == PDN_ERR_CALLBACK .and. pdn_last_callback_code() == 42, &
             'status of the callback')
         call check(index(errmsg, 'no moment is known') > 0, 'message of the callback')
         call check(.not. c_associated(solution%handle()), 'no solution')
 
-        call model%add_beam(pdn_curve(failing_curve), [steel()], 1, 1, beam, stat=stat, &
+        call model%add_beam(pdn_curve_line(failing_curve), [steel()], 1, 1, beam, stat=stat, &
             errmsg=errmsg)
         call check(stat == PDN_ERR_CALLBACK .and. pdn_last_callback_code() == 5, &
             'status of the curve')
@@ -193,7 +193,7 @@ contains
         integer :: body, hinge, spring, outcome
 
         call oscillator(model, body, hinge, spring)
-        call model%add_load(body, PDN_FRAME_SPACE, PDN_MOMENT_3, pdn_constant(1.0_dp))
+        call model%add_load(body, PDN_FRAME_SPACE, PDN_MOMENT_3, pdn_constant_signal(1.0_dp))
         left = 1
         call pdn_init(options)
         options%progress = c_funloc(cancel)

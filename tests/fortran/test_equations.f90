@@ -25,12 +25,12 @@ contains
 
         call oscillator(model, body, hinge, spring)
         call model%add_load(body, PDN_FRAME_SPACE, PDN_MOMENT_3, &
-            pdn_harmonics(0.0_dp, 0.0_dp, [0.6_dp], [0.0_dp]))
+            pdn_harmonics_signal(0.0_dp, 0.0_dp, [0.6_dp], [0.0_dp]))
         call pdn_init(options)
         options%grid_points = 21
         options%preconditioner = PDN_LINEAR_BODY_CIRCULANT
         call equations%new(model, period, options)
-        call equations%sizes(sizes)
+        call equations%get_sizes(sizes)
         call check(sizes%size == sizes%total .and. sizes%nodes == 1, 'sizes')
         call equations%nodes(nodes)
         call check(nodes(1) == body, 'nodes')
@@ -55,7 +55,7 @@ contains
             if (motion <= 1e-10_dp) exit
         end do
         call check(motion <= 1e-10_dp, 'converged')
-        call equations%solution(solution, PDN_CONVERGED, root=0)
+        call equations%solution(PDN_CONVERGED, solution, root=0)
         call solution%sample(pdn_quantity_of(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION), &
             [0.0_dp], angle)
         real_part = 3 - 0.5_dp*omega**2
@@ -74,7 +74,7 @@ contains
         call equations%power_product(3, x, rest, stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_VALUE, 'power: expected 1 or 2')
         call equations%product(x, rest(2:), stat=stat, errmsg=errmsg)
-        call refused(stat, errmsg, PDN_ERR_SIZE, 'y: ')
+        call refused(stat, errmsg, PDN_ERR_SIZE, 'out: ')
 
         call equations%state(motions, own)
         call equations%residual(right)
@@ -85,7 +85,7 @@ contains
 
     ! Solves J x = b with the preconditioner alone, again and again.
     subroutine solve(equations, b, x)
-        type(pdn_equations), intent(in) :: equations
+        type(pdn_equations), intent(inout) :: equations
         real(dp), intent(in) :: b(:)
         real(dp), intent(inout) :: x(:)
         real(dp) :: rest(size(b)), correction(size(b))

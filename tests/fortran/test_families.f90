@@ -16,7 +16,7 @@ contains
 
         call oscillator(model, body, hinge, spring)
         call model%add_actuator(hinge, PDN_ROTATION, &
-            pdn_harmonics(0.0_dp, 0.0_dp, [0.6_dp], [0.0_dp]), force)
+            pdn_harmonics_signal(0.0_dp, 0.0_dp, [0.6_dp], [0.0_dp]), force)
         call model%add_parameter('moment', 0.0_dp, 1.0_dp, parameter)
         call model%move_signal(parameter, PDN_SIGNAL_OF_ACTUATOR, force, 0, PDN_PART_MEAN, 1.0_dp)
     end subroutine driven
@@ -28,7 +28,7 @@ contains
         type(pdn_quantity) :: angle
         type(pdn_solution) :: solution
         integer :: body, hinge, parameter, stat
-        real(dp) :: found, mean(1), cosines(1, 1), sines(1, 1), derivatives(2, 1)
+        real(dp) :: found, mean(1), derivatives(2, 1)
         character(300) :: errmsg
 
         call driven(model, body, hinge, parameter)
@@ -48,7 +48,7 @@ contains
         call model%set_parameter(parameter, 0.3_dp)
         call model%solve_periodic(period, solution)
         call solution%harmonics(pdn_quantity_of(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION), &
-            mean, cosines, sines)
+            mean)
         call near(mean(1), 0.1_dp, 1e-10_dp, 'mean angle')
 
         ! What the mean angle gains from the moment, and the first harmonic does not.
@@ -81,7 +81,7 @@ contains
         type(pdn_quantity) :: position
         type(pdn_solution) :: solution
         integer :: body, hinge, parameter, count, end, i, stat
-        real(dp) :: mean(1), cosines(1, 1), sines(1, 1)
+        real(dp) :: cosines(1, 1), sines(1, 1)
         complex(dp) :: stiffness
         character(300) :: errmsg
 
@@ -96,7 +96,7 @@ contains
             call branch%solution(i, solution)
             call near(point%parameter*point%period, 2*pi, 1e-12_dp, 'period')
             call solution%harmonics(pdn_quantity_of(PDN_JOINT_COORDINATE, hinge, &
-                PDN_ROTATION), mean, cosines, sines)
+                PDN_ROTATION), cosines=cosines, sines=sines)
             stiffness = cmplx(3 - 0.5_dp*point%parameter**2, 0.2_dp*point%parameter, dp)
             call near(hypot(cosines(1, 1), sines(1, 1)), 0.6_dp/abs(stiffness), 1e-8_dp, &
                 'amplitude')
@@ -111,7 +111,7 @@ contains
         call branch%write_csv('test_families.csv', [position], stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_VALUE, 'quantities[0]: ')
         call branch%write_campbell('test_families.csv')
-        call branch%write_campbell('test_families.csv', [body], stat=stat, errmsg=errmsg)
+        call branch%write_campbell('test_families.csv', blades=[body], stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_SIZE, 'blades: ')
 
         ! Saved, loaded, and followed on.
@@ -120,13 +120,13 @@ contains
         call pdn_init(options)
         options%from = 1
         options%to = 5
-        call more%continue(branch, options)
+        call more%continue_branch(branch, options)
         call branch%end(end)
         call branch%count(i)
         call branch%get(i - 1, point)
         call check(end == PDN_BRANCH_RANGE .and. i > count, 'continued')
         call near(point%parameter, 5.0_dp, 1e-12_dp, 'end')
-        call branch%switch(0, 0.1_dp, more, options, stat=stat, errmsg=errmsg)
+        call branch%switch_branch(0, 0.1_dp, more, options, stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_NOT_AVAILABLE, 'point: no other branch begins')
         call branch%follow_locus(0, parameter, more, options, stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_NOT_AVAILABLE, 'point: nothing happens')

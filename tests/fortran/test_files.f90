@@ -23,11 +23,11 @@ contains
 
         call oscillator(model, body, hinge, spring)
         call model%add_load(body, PDN_FRAME_SPACE, PDN_MOMENT_3, &
-            pdn_harmonics(0.0_dp, 0.0_dp, [0.6_dp], [0.0_dp]))
+            pdn_harmonics_signal(0.0_dp, 0.0_dp, [0.6_dp], [0.0_dp]))
         call model%solve_periodic(period, solution)
         call table%new(times)
-        call table%add(solution, pdn_quantity_of(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION), &
-            'angle  ')
+        call table%add_quantity(solution, pdn_quantity_of(PDN_JOINT_COORDINATE, hinge, &
+            PDN_ROTATION), 'angle  ')
         call table%add_values('mine', [1.0_dp, 2.0_dp, 3.0_dp])
         call table%write_csv('own.csv')
         call solution%sample(pdn_quantity_of(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION), &
@@ -46,7 +46,7 @@ contains
         call check(all(sampled(1, :) == angle), 'quantity')
         call solution%extremes(turn, least, at(:1), most, at(2:))
         call check(least(1) < angle(2) .and. angle(2) < most(1), 'extremes')
-        call solution%harmonics(turn, mean, cosines, sines)
+        call solution%harmonics(turn, mean, cosines=cosines, sines=sines)
         call check(least(1) < mean(1) .and. mean(1) < most(1), 'mean')
         call solution%sample(turn, times, cosines, stat, errmsg)
         call check(stat == PDN_ERR_SIZE, 'shape of samples')
@@ -54,17 +54,17 @@ contains
         call solution%sample(turn, times, sampled, stat, errmsg)
         call check(stat == PDN_ERR_VALUE, 'no such coordinate')
         turn%component = PDN_ROTATION
-        call table%add(solution, turn, 'turn')
+        call table%add_quantity(solution, turn, 'turn')
 
-        call table%add(solution, pdn_quantity_of(PDN_NODE_POSITION, body))
-        call table%add(solution, pdn_quantity_of(PDN_JOINT_REACTION, hinge), 'reaction')
-        call table%add(solution, pdn_quantity_of(PDN_FORCE_ON_NODE, spring, node=body), &
+        call table%add_quantity(solution, pdn_quantity_of(PDN_NODE_POSITION, body))
+        call table%add_quantity(solution, pdn_quantity_of(PDN_JOINT_REACTION, hinge), 'reaction')
+        call table%add_quantity(solution, pdn_quantity_of(PDN_FORCE_ON_NODE, spring, node=body), &
             'pull')
         call cantilever%new()
         call cantilever%add_straight_beam(origin, axis_1, axis_2, steel(), 2, 1, beam)
         call cantilever%add_rigid_joint(PDN_GROUND, beam%first, origin)
         call cantilever%solve_static(bent)
-        call table%add(bent, pdn_quantity_of(PDN_BEAM_FORCE, beam%first_element), 'root')
+        call table%add_quantity(bent, pdn_quantity_of(PDN_BEAM_FORCE, beam%first_element), 'root')
         call table%write_csv('more.csv')
         open (newunit=unit, file='more.csv', status='old', action='read')
         read (unit, '(a)') head
@@ -84,7 +84,8 @@ contains
         call loaded%model(cantilever)
         call cantilever%element_count(elements)
         call check(elements == 2, 'model of the solution')
-        call cantilever%add_load(beam%last, PDN_FRAME_SPACE, PDN_FORCE_3, pdn_constant(1.0_dp))
+        call cantilever%add_load(beam%last, PDN_FRAME_SPACE, PDN_FORCE_3, &
+            pdn_constant_signal(1.0_dp))
         call cantilever%solve_static(loaded)
         call check(loaded%converged(), 'solved again')
 
@@ -92,18 +93,19 @@ contains
         errmsg = 'none'
         call table%new([not_a_number()], stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_NOT_FINITE, 'times')
-        call table%add(solution, pdn_quantity_of(PDN_NODE_POSITION, 4), 'x', stat, errmsg)
+        call table%add_quantity(solution, pdn_quantity_of(PDN_NODE_POSITION, 4), 'x', stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_ID, 'quantity.object: ')
-        call table%add(solution, pdn_quantity_of(PDN_NODE_POSITION, body), stat=stat, &
+        call table%add_quantity(solution, pdn_quantity_of(PDN_NODE_POSITION, body), stat=stat, &
             errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_VALUE, 'label: ')
-        call table%add(solution, pdn_quantity_of(PDN_JOINT_RATE, hinge, &
+        call table%add_quantity(solution, pdn_quantity_of(PDN_JOINT_RATE, hinge, &
             PDN_DISPLACEMENT), stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_NOT_AVAILABLE, 'coordinate: ')
-        call table%add(bent, pdn_quantity_of(PDN_BEAM_FORCE, beam%first_element, &
+        call table%add_quantity(bent, pdn_quantity_of(PDN_BEAM_FORCE, beam%first_element, &
             station=3.0_dp), stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_VALUE, 'station: ')
-        call table%add(solution, pdn_quantity_of(PDN_FORCE_EFFORT, 8), stat=stat, errmsg=errmsg)
+        call table%add_quantity(solution, pdn_quantity_of(PDN_FORCE_EFFORT, 8), stat=stat, &
+            errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_ID, 'quantity.object: ')
         call table%add_values('short', [1.0_dp], stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_SIZE, 'count: ')

@@ -13,15 +13,14 @@ contains
         type(pdn_march_diagnostics) :: figures
         type(pdn_shooting_options) :: shot
         type(pdn_solution) :: free, periodic, steady, shooting, none
-        complex(dp), allocatable :: multipliers(:)
         integer :: body, hinge, spring, stat
         character(300) :: errmsg
         real(dp) :: angle(1), position(3, 1), rotation(9, 1), velocity(6, 1), rate
         type(pdn_stability_options) :: asked
         type(pdn_stability) :: stability
         type(pdn_multiplier) :: multiplier
-        integer :: outcome, verdict, known, states
-        real(dp), allocatable :: at(:), mode(:, :), other(:, :)
+        integer :: outcome, verdict, known, states, steps
+        real(dp), allocatable :: re(:), im(:), at(:), mode(:, :), other(:, :)
         real(dp) :: limit
         real(dp), parameter :: t = 1.7_dp
 
@@ -44,7 +43,7 @@ contains
         call near(angle(1), 0.3_dp/rate*exp(-0.2_dp*t)*sin(rate*t), 1e-6_dp, 'free vibration')
 
         call model%add_load(body, PDN_FRAME_SPACE, PDN_MOMENT_3, &
-            pdn_harmonics(0.0_dp, 0.0_dp, [0.6_dp], [0.0_dp]))
+            pdn_harmonics_signal(0.0_dp, 0.0_dp, [0.6_dp], [0.0_dp]))
         call model%solve_periodic(period, periodic)
         call pdn_init(options)
         options%period = period
@@ -61,8 +60,8 @@ contains
         shot%steps_per_period = 400
         call model%solve_shooting(period, shooting, shot, initial=periodic)
         call check(shooting%converged(), 'shooting')
-        call shooting%floquet(multipliers)
-        call near(abs(multipliers(1)), exp(-0.2_dp*period), 1e-3_dp, 'Floquet multiplier')
+        call shooting%floquet(re, im)
+        call near(hypot(re(1), im(1)), exp(-0.2_dp*period), 1e-3_dp, 'Floquet multiplier')
 
         ! The same of the periodic solution, to rounding.
         call pdn_init(asked)
@@ -77,8 +76,10 @@ contains
         call stability%get(0, multiplier)
         call near(hypot(multiplier%real, multiplier%imaginary), exp(-0.2_dp*period), 1e-10_dp, &
             'multiplier')
+        call stability%times(steps=steps)
+        allocate (at(steps), mode(6, steps), other(6, steps))
         call stability%times(at)
-        allocate (mode(6, size(at)), other(6, size(at)))
+        call near(at(steps), period, 1e-12_dp, 'times of modes')
         call stability%shape(0, body, mode, other)
         call near(maxval(hypot(mode, other)), 1.0_dp, 1e-10_dp, 'mode')
         call check(index(stability%report(), 'Stability: stable') == 1, 'report')
@@ -97,8 +98,8 @@ contains
         call refused(stat, errmsg, PDN_ERR_VALUE, 'period: ')
         call empty%solve_shooting(period, none, stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_NULL, 'model: ')
-        call periodic%floquet(multipliers)
-        call near(abs(multipliers(1)), exp(-0.2_dp*period), 1e-8_dp, 'of the periodic solution')
+        call periodic%floquet(re, im)
+        call near(hypot(re(1), im(1)), exp(-0.2_dp*period), 1e-8_dp, 'of the periodic solution')
         call model%march(none, unset, stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_STRUCT_SIZE, 'options')
         options%period = not_a_number()

@@ -16,7 +16,7 @@ contains
         type(pdn_solution) :: motion, equilibrium
         integer :: body, hinge, spring, count, outcome, stat
         logical :: complete
-        real(dp) :: real_part(6, 1), imaginary_part(6, 1), mean(1), cosines(1, 1), sines(1, 1), &
+        real(dp) :: real_part(6, 1), imaginary_part(6, 1), cosines(1, 1), sines(1, 1), &
             angle(1)
         character(300) :: errmsg
 
@@ -40,13 +40,15 @@ contains
         call near(real_part(1, 1), 0.0_dp, 1e-10_dp, 'displacement')
         call modes%motion(0, 0.01_dp, motion)
         call motion%harmonics(pdn_quantity_of(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION), &
-            mean, cosines, sines)
+            cosines=cosines, sines=sines)
         call near(hypot(cosines(1, 1), sines(1, 1)), 0.01_dp, 1e-10_dp, 'motion')
         call modes%equilibrium(equilibrium)
         call equilibrium%sample(pdn_quantity_of(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION), &
             [0.0_dp], angle)
         call near(angle(1), 0.0_dp, 1e-12_dp, 'equilibrium')
-        call model%solve_modes(modes, options, initial=equilibrium)
+        call pdn_init(at_rest)
+        at_rest%initial = equilibrium%handle()
+        call model%solve_modes(modes, options, at_rest)
         call check(modes%converged(), 'from an equilibrium')
 
         stat = 77

@@ -52,7 +52,8 @@ contains
     function rubber() result(section)
         type(pdn_shell_section) :: section
 
-        section = pdn_isotropic_shell(thickness, young, 0.0_dp, 1200.0_dp, damping_time=0.5_dp)
+        section = pdn_isotropic_shell_section(thickness, young, 0.0_dp, 1200.0_dp)
+        call pdn_shell_section_set_proportional_damping(section, 0.5_dp)
         call check(section%damping(1) == 0.5_dp*section%stiffness(1), 'damping')
     end function rubber
 
@@ -63,12 +64,12 @@ contains
         type(pdn_shell_placement) :: placement
         real(dp) :: points(3, 10)
 
-        call over_surface(pdn_parallelogram(origin, length*axis_1, width*axis_2), points)
-        call over_surface(pdn_surface_of(strip), points)
+        call over_surface(pdn_parallelogram_surface(origin, length*axis_1, width*axis_2), points)
+        call over_surface(pdn_function_surface(strip), points)
         call pdn_init(placement)
         placement%frames = PDN_SHELL_PARALLEL
         call model%new()
-        call model%add_shell_grid(points, [2, 1], [2, 1], rubber(), shell, placement, join=.false.)
+        call model%add_shell_grid(points, 2, 1, 2, 1, rubber(), shell, .false., placement)
         call stretched(model, shell)
     end subroutine stretched_strips
 
@@ -81,7 +82,7 @@ contains
         integer :: u, v, node, count
 
         call model%new()
-        call model%add_shell(surface, [2, 1], [2, 1], rubber(), shell)
+        call model%add_shell(surface, 2, 1, 2, 1, rubber(), shell)
         call check(shell%nodes_u == 5 .and. shell%nodes_v == 2, 'numbers of nodes')
         call model%shell_element_count(count)
         call check(count == 2, 'number of elements')
@@ -110,7 +111,7 @@ contains
         call model%add_rigid_joints(PDN_GROUND, nodes, stat=stat)
         call check(stat == PDN_ERR_VALUE, 'a node that is held')
         call model%add_shell_load(shell%first_element + 1, 1, PDN_SHELL_EDGE_END_XI, &
-            PDN_FRAME_SPACE, PDN_FORCE_1, pdn_constant(600.0_dp))
+            PDN_FRAME_SPACE, PDN_FORCE_1, pdn_constant_signal(600.0_dp))
         call model%solve_static(solution)
         call check(solution%converged(), 'converged')
         call model%shell_node(shell%first_element + 1, 2, 0, tip)
@@ -129,12 +130,12 @@ contains
 
         do k = 1, 2
             call model%new()
-            call model%add_shell(pdn_parallelogram(origin, length*axis_1, width*axis_2), &
-                [2, 1], [2, 1], rubber(), shell)
+            call model%add_shell(pdn_parallelogram_surface(origin, length*axis_1, width*axis_2), &
+                2, 1, 2, 1, rubber(), shell)
             call model%add_rigid_edge(PDN_GROUND, shell, PDN_SHELL_EDGE_START_XI)
             if (k == 1) then
                 call model%add_shell_load(PDN_FIRST_SHELL_ELEMENT + 1, 1, PDN_SHELL_SURFACE, &
-                    PDN_FRAME_MATERIAL, PDN_FORCE_3, pdn_constant(0.05_dp))
+                    PDN_FRAME_MATERIAL, PDN_FORCE_3, pdn_constant_signal(0.05_dp))
             else
                 call model%add_surface_force(PDN_FIRST_SHELL_ELEMENT + 1, 1, PDN_SHELL_SURFACE, &
                     PDN_FRAME_MATERIAL, PDN_TANGENTS_GIVEN, wind, first_force=force)
@@ -161,8 +162,8 @@ contains
         corners = reshape([0.0_dp, 0.0_dp, 0.0_dp, length, 0.0_dp, 0.0_dp, length, width, 0.0_dp, &
             0.0_dp, width, 0.0_dp], [3, 4])
         call model%new()
-        call model%add_shell_quadrilaterals(corners, reshape([0, 1, 2, 3], [4, 1]), 3, &
-            rubber(), first)
+        call model%add_shell_quadrilaterals(corners, [0, 1, 2, 3], 4, 3, rubber(), &
+            first_element=first)
         call model%mass(mass)
         call near(mass, per_area*length*width, 1e-12_dp, 'cell')
         call model%add_node([0.0_dp, 0.0_dp, 3.0_dp], node=nodes(1))
@@ -176,14 +177,12 @@ contains
         call model%set_shell_prestress(PDN_FIRST_SHELL_ELEMENT, 2, resultants)
         call model%mass(mass)
         call near(mass, 2*per_area*length*width, 1e-12_dp, 'nodes')
-        call model%add_shell(pdn_annulus(origin, axis_3, axis_1, 0.5_dp, 1.0_dp, pi), [1, 4], &
-            [2, 6], &
-            rubber(), shell)
+        call model%add_shell(pdn_annulus_surface(origin, axis_3, axis_1, 0.5_dp, 1.0_dp, pi), &
+            1, 4, 2, 6, rubber(), shell)
         call model%mass(mass)
         call near(mass, per_area*(2*length*width + 0.375_dp*pi), 1e-8_dp, 'annulus')
-        call model%add_shell(pdn_cylinder(origin, axis_3, axis_1, 1.0_dp, 2.0_dp, 2*pi), [8, &
-            1], [6, 2], &
-            rubber(), shell)
+        call model%add_shell(pdn_cylinder_surface(origin, axis_3, axis_1, 1.0_dp, 2.0_dp, 2*pi), &
+            8, 1, 6, 2, rubber(), shell)
         call model%mass(mass)
         call near(mass, per_area*(2*length*width + 4.375_dp*pi), 1e-8_dp, 'cylinder')
     end subroutine masses
@@ -194,42 +193,45 @@ contains
         type(pdn_surface) :: surface
         type(pdn_shell_section) :: section
         real(dp) :: points(2, 4)
-        integer :: stat, node, first
-        integer, parameter :: cells(4, 1) = reshape([0, 1, 2, 3], [4, 1])
+        integer :: stat, node
         character(300) :: errmsg
 
         stat = 77
         errmsg = 'none'
         call model%new()
-        section = pdn_isotropic_shell(-1.0_dp, young, 0.0_dp, 1.0_dp, stat=stat, errmsg=errmsg)
+        section = pdn_isotropic_shell_section(-1.0_dp, young, 0.0_dp, 1.0_dp, stat=stat, &
+            errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_VALUE, 'thickness: expected a positive')
-        surface = pdn_parallelogram(origin, [0.0_dp, not_a_number(), 0.0_dp], axis_2, stat, errmsg)
+        surface = pdn_parallelogram_surface(origin, [0.0_dp, not_a_number(), 0.0_dp], axis_2, &
+            stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_NOT_FINITE, 'along_u[1]: ')
-        surface = pdn_annulus(origin, axis_3, axis_1, 1.0_dp, 2.0_dp, not_a_number(), stat, errmsg)
+        surface = pdn_annulus_surface(origin, axis_3, axis_1, 1.0_dp, 2.0_dp, not_a_number(), &
+            stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_NOT_FINITE, 'angle: ')
-        surface = pdn_cylinder(origin, axis_3, axis_1, not_a_number(), 2.0_dp, pi, stat, errmsg)
+        surface = pdn_cylinder_surface(origin, axis_3, axis_1, not_a_number(), 2.0_dp, pi, stat, &
+            errmsg)
         call refused(stat, errmsg, PDN_ERR_NOT_FINITE, 'radius: ')
-        surface = pdn_surface_of(strip, c_loc(dummy))
-        call model%add_shell(surface, [1, 1], [1, 1], rubber(), shell, stat=stat, errmsg=errmsg)
+        surface = pdn_function_surface(strip, c_loc(dummy))
+        call model%add_shell(surface, 1, 1, 1, 1, rubber(), shell, stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_CALLBACK, 'function: the callback returned 1')
-        surface = pdn_surface_of(strip)
-        call model%add_shell(surface, [1, -1], [1, 1], rubber(), shell, stat=stat, errmsg=errmsg)
+        surface = pdn_function_surface(strip)
+        call model%add_shell(surface, 1, -1, 1, 1, rubber(), shell, stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_SIZE, 'elements: ')
         points = 0
-        call model%add_shell_grid(points, [1, 1], [1, 1], rubber(), shell, stat=stat, errmsg=errmsg)
+        call model%add_shell_grid(points, 1, 1, 1, 1, rubber(), shell, stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_SIZE, 'points: ')
-        call model%add_shell_quadrilaterals(points, cells, 1, rubber(), first, stat=stat, &
+        call model%add_shell_quadrilaterals(points, [0, 1, 2, 3], 4, 1, rubber(), stat=stat, &
             errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_SIZE, 'points: ')
         call model%add_shell_element([0, 1, 2, 3], 2, rubber(), stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_ID, 'nodes[0]: ')
-        call model%add_shell(surface, [1, 1], [1, 1], rubber(), shell)
+        call model%add_shell(surface, 1, 1, 1, 1, rubber(), shell)
         call model%shell_patch_node(shell, 2, 0, node, stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_VALUE, 'u: expected 0 to 1')
         call model%shell_node(1, 0, 0, node, stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_ID, 'element: ')
         call model%add_shell_load(PDN_FIRST_SHELL_ELEMENT, 1, 7, PDN_FRAME_SPACE, PDN_FORCE_1, &
-            pdn_constant(1.0_dp), stat=stat, errmsg=errmsg)
+            pdn_constant_signal(1.0_dp), stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_VALUE, 'place: ')
     end subroutine refusals_of_shells
 end program test_shells
