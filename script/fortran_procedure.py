@@ -136,7 +136,7 @@ class Procedure:
             self.prepared.append(f"{count} = 0")
         for q in sure or reversed(having):
             extents = self.extents[q["name"]]
-            place = next(i for i, e in enumerate(extents) if count in e)
+            place = next(i for i, e in enumerate(extents) if count in e.split())
             size = f"size({q['name']}, {place + 1}, c_size_t)"
             if extents[place].endswith("+ 1"):
                 size = f"max({size} - 1, 0_c_size_t)"
@@ -264,6 +264,8 @@ class Procedure:
 
     def array(self, p):
         own, extents = p["name"], self.extents[p["name"]]
+        if not extents:
+            raise ValueError(f"{self.function['name']}: no shape in: {p['said']}")
         fixed = all(e.isdigit() for e in extents)
         shape = f"({', '.join(extents)})" if fixed else colons(len(extents))
         kind = f"{NUMBERS[p['base']]}, intent({'in' if p['const'] else 'inout'})"
@@ -341,12 +343,9 @@ class Procedure:
             condition, status = "status >= 0", "min(status, PDN_OK)"
         dummies += [("integer, intent(out), optional", "stat"),
                     ("character(*), intent(inout), optional", "errmsg")]
-        if any(line.startswith("status =") for line in self.prepared):
-            called = f"if (status == PDN_OK) status = {called})"
-        else:
-            called = f"status = {called})"
-        body = [*self.prepared, called, *block(condition, self.taken),
-                f"call report({status}, stat, errmsg)"]
+        asked = any(line.startswith("status =") for line in self.prepared)
+        body = [*self.prepared, "if (status == PDN_OK) " * asked + f"status = {called})",
+                *block(condition, self.taken), f"call report({status}, stat, errmsg)"]
         declared = [*dummies, *([result] if result else []), *self.locals,
                     ("integer(c_int32_t)", "status")]
         return self.framed(name, dummies, declared, body, result and result[1])
