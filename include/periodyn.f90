@@ -4801,12 +4801,12 @@ contains
                 errmsg)) return
         end if
         if (present(velocity_tangent)) then
-            if (.not. fits('velocity_tangent', shape(velocity_tangent), [6*int(points), &
-                6*int(points)], stat, errmsg)) return
+            if (.not. fits('velocity_tangent', shape(velocity_tangent), [6 * int(points), &
+                6 * int(points)], stat, errmsg)) return
         end if
         if (present(acceleration_tangent)) then
-            if (.not. fits('acceleration_tangent', shape(acceleration_tangent), [6*int(points), &
-                6*int(points)], stat, errmsg)) return
+            if (.not. fits('acceleration_tangent', shape(acceleration_tangent), &
+                [6 * int(points), 6 * int(points)], stat, errmsg)) return
         end if
         status = c_motion_grid_kinematics(period, positions, rotations, points, velocity, &
             acceleration, velocity_tangent, acceleration_tangent)

@@ -27,6 +27,19 @@ def text_of(comment):
     return re.sub(r"^\s*\* ?", "", comment, flags=re.M).strip()
 
 
+def extents_of(said):
+    """Extents of an array by what is said of it, fastest first: numbers, counts, and C for the
+    components of a quantity; none if it is no array."""
+    if "matrix of 6 N x 6 N" in said:
+        return ["6 * points", "6 * points"]
+    found = re.search(r"array of (?:length|shape) (?:(\d+|C|\[\w+\]) x )?(\d+|C|\[[^\]]*\])", said)
+    first, last = [part and part.strip("[]") for part in found.groups()] if found else (None, None)
+    if not first and (last == "36" or last == "9" and re.search("symmetric|rotation matri", said)):
+        return {"36": ["6", "6"], "9": ["3", "3"]}[last]
+    inner = re.fullmatch(r"(\d+) (?:x )?(\w+)", last or "")
+    return [*inner.groups()] if inner else [e for e in (first, last) if e]
+
+
 class Header:
     """What periodyn.h declares, in its order; `docs` has what it says of each name."""
 
@@ -79,6 +92,8 @@ class Header:
             parameter["array"] = "array of" in said or "likewise" in said or "as cosines" in said \
                 or "matrix of" in said or "same by" in said
             parameter["said"] = said
+            shaped = parameters[-1]["said"] if said.startswith("as cosines") else said
+            parameter["extents"] = extents_of(shaped) if parameter["stars"] else []
             parameters.append(parameter)
         return {"name": name, "result": result, "summary": re.split(r"\.(?: |$)", doc)[0],
                 "doc": doc, "parameters": parameters}

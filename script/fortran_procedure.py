@@ -67,18 +67,6 @@ def colons(rank):
     return f"({', '.join(':' * rank)})" if rank else ""
 
 
-def extents_of(said):
-    """Extents of an array by what is said of it, fastest first; none if it is no array."""
-    if "matrix of 6 N x 6 N" in said:
-        return ["6*points", "6*points"]
-    found = re.search(r"array of (?:length|shape) (?:(\d+|C|\[\w+\]) x )?(\d+|C|\[[^\]]*\])", said)
-    first, last = [part and part.strip("[]") for part in found.groups()] if found else (None, None)
-    if not first and (last == "36" or last == "9" and re.search("symmetric|rotation matri", said)):
-        return {"36": ["6", "6"], "9": ["3", "3"]}[last]
-    inner = re.fullmatch(r"(\d+) (?:x )?(\w+)", last or "")
-    return [*inner.groups()] if inner else [e for e in (first, last) if e]
-
-
 class Procedure:
     """A procedure that calls a function of C.
 
@@ -94,12 +82,9 @@ class Procedure:
         if function["result"] == "size_t":
             # A buffer for a text, and its capacity.
             parameters = parameters[:-2]
-        self.extents = {}
-        for before, p in zip([None, *parameters], parameters):
-            said = before["said"] if p["said"].startswith("as cosines") else p["said"]
-            extents = extents_of(said) if p["stars"] and p["base"] != "char" else []
-            # Components and times may also stand in one dimension.
-            self.extents[p["name"]] = ["*".join(extents)] if flat and "C" in extents else extents
+        # Components and times may also stand in one dimension.
+        self.extents = {p["name"]: ["*".join(p["extents"])] if flat and "C" in p["extents"]
+                        else p["extents"] for p in parameters}
         self.defining = {}
         self.count_all(parameters)
         for i, p in enumerate(parameters):
