@@ -1974,20 +1974,6 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_add_controller
         end function pdn_model_add_controller
 
-        ! Gives a controller its function, or another one: that of a model from a file is not
-        ! there
-        function pdn_model_bind_controller(model, force, tangents, function, user_data, &
-            destroy) bind(C, name="pdn_model_bind_controller")
-            import
-            type(c_ptr), value :: model
-            integer(c_int32_t), value :: force
-            integer(c_int32_t), value :: tangents
-            type(c_funptr), value :: function
-            type(c_ptr), value :: user_data
-            type(c_funptr), value :: destroy
-            integer(c_int32_t) :: pdn_model_bind_controller
-        end function pdn_model_bind_controller
-
         ! Numbers of the coordinates that a controller reads, of those that it acts on, and of its
         ! states
         function pdn_model_controller_counts(model, force, input_count, output_count, &
@@ -2043,6 +2029,102 @@ module periodyn_c
             integer(c_int32_t), intent(inout), optional :: first_force
             integer(c_int32_t) :: pdn_model_add_surface_force
         end function pdn_model_add_surface_force
+
+        ! Gives a controller its function, or another one: that of a model from a file is not
+        ! there
+        function pdn_model_bind_controller(model, force, tangents, function, user_data, &
+            destroy) bind(C, name="pdn_model_bind_controller")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: force
+            integer(c_int32_t), value :: tangents
+            type(c_funptr), value :: function
+            type(c_ptr), value :: user_data
+            type(c_funptr), value :: destroy
+            integer(c_int32_t) :: pdn_model_bind_controller
+        end function pdn_model_bind_controller
+
+        ! Gives a coordinate law its function, or another one: that of a model from a file is not
+        ! there
+        function pdn_model_bind_coordinate_law(model, force, tangents, function, user_data, &
+            destroy) bind(C, name="pdn_model_bind_coordinate_law")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: force
+            integer(c_int32_t), value :: tangents
+            type(c_funptr), value :: function
+            type(c_ptr), value :: user_data
+            type(c_funptr), value :: destroy
+            integer(c_int32_t) :: pdn_model_bind_coordinate_law
+        end function pdn_model_bind_coordinate_law
+
+        ! Gives forces on nodes their function, or another one: that of a model from a file is not
+        ! there
+        function pdn_model_bind_user_force(model, force, frame, tangents, function, user_data, &
+            destroy) bind(C, name="pdn_model_bind_user_force")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: force
+            integer(c_int32_t), value :: frame
+            integer(c_int32_t), value :: tangents
+            type(c_funptr), value :: function
+            type(c_ptr), value :: user_data
+            type(c_funptr), value :: destroy
+            integer(c_int32_t) :: pdn_model_bind_user_force
+        end function pdn_model_bind_user_force
+
+        ! Gives forces on shell elements their function, or another one: that of a model from a
+        ! file is not there
+        function pdn_model_bind_surface_force(model, first_force, forces, frame, tangents, &
+            function, user_data, destroy) bind(C, name="pdn_model_bind_surface_force")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: first_force
+            integer(c_int32_t), value :: forces
+            integer(c_int32_t), value :: frame
+            integer(c_int32_t), value :: tangents
+            type(c_funptr), value :: function
+            type(c_ptr), value :: user_data
+            type(c_funptr), value :: destroy
+            integer(c_int32_t) :: pdn_model_bind_surface_force
+        end function pdn_model_bind_surface_force
+
+        ! Gives what follows a signal another one: a load, an actuator, a prescribed coordinate
+        function pdn_model_set_signal(model, place, id, component, &
+            signal) bind(C, name="pdn_model_set_signal")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: place
+            integer(c_int32_t), value :: id
+            integer(c_int32_t), value :: component
+            type(pdn_signal), intent(in) :: signal
+            integer(c_int32_t) :: pdn_model_set_signal
+        end function pdn_model_set_signal
+
+        ! Gives a force other numbers of a sort, as many as it has: those that
+        ! ::pdn_model_force_number tells
+        function pdn_model_set_force_numbers(model, force, number, values, &
+            count) bind(C, name="pdn_model_set_force_numbers")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: force
+            integer(c_int32_t), value :: number
+            real(c_double), intent(in) :: values(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: pdn_model_set_force_numbers
+        end function pdn_model_set_force_numbers
+
+        ! Gives beam elements another section, the same all along them; their twist stays, and so
+        ! do the factors of parameters
+        function pdn_model_set_beam_section(model, first_element, elements, &
+            section) bind(C, name="pdn_model_set_beam_section")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: first_element
+            integer(c_int32_t), value :: elements
+            type(pdn_section), intent(in) :: section
+            integer(c_int32_t) :: pdn_model_set_beam_section
+        end function pdn_model_set_beam_section
 
         ! Gives a node, joint, element, force, load or the like a label, in place of the one that
         ! it has
@@ -3839,11 +3921,17 @@ module periodyn
         procedure, public :: add_user_force => model_add_user_force
         procedure, public :: check_tangents => model_check_tangents
         procedure, public :: add_controller => model_add_controller
-        procedure, public :: bind_controller => model_bind_controller
         procedure, public :: controller_counts => model_controller_counts
         procedure, public :: controller_coordinate => model_controller_coordinate
         procedure, public :: controller_state => model_controller_state
         procedure, public :: add_surface_force => model_add_surface_force
+        procedure, public :: bind_controller => model_bind_controller
+        procedure, public :: bind_coordinate_law => model_bind_coordinate_law
+        procedure, public :: bind_user_force => model_bind_user_force
+        procedure, public :: bind_surface_force => model_bind_surface_force
+        procedure, public :: set_signal => model_set_signal
+        procedure, public :: set_force_numbers => model_set_force_numbers
+        procedure, public :: set_beam_section => model_set_beam_section
         procedure, public :: set_label => model_set_label
         procedure, public :: label => model_label
         procedure, public :: find_label => model_find_label
@@ -4055,29 +4143,31 @@ module periodyn
         model_add_spring_damper, model_add_nonlinear_spring_damper, model_add_actuator, &
         model_add_viscoelastic, model_add_viscous_damper, model_add_bushing, &
         model_add_coordinate_law, model_add_user_force, model_check_tangents, &
-        model_add_controller, model_bind_controller, model_controller_counts, &
-        model_controller_coordinate, model_controller_state, model_add_surface_force, &
-        model_set_label, model_label, model_find_label, model_solve_periodic, &
-        model_add_parameter, model_parameter_count, model_parameter, model_parameter_name, &
-        model_find_parameter, model_move_number, model_move_signal, model_set_parameter, &
-        model_set_mass_damping, model_declare_of_phase, model_joint, model_force, &
-        model_force_number, model_force_node, model_beam_element_node_count, &
-        model_beam_element_node, model_beam_section, model_inertia_count, model_inertia, &
-        model_inertia_of, model_prescribed, model_relation_term_count, model_relation_term, &
-        model_sample_signal, model_load_count, model_load_at, model_beam_load_count, &
-        model_beam_load, model_beam_load_factor, model_shell_load_count, model_shell_load, &
-        model_solve_conditioned, model_follow_branch, model_solve_frequency_response, &
-        model_solve_static, model_solve_modes, model_march, model_solve_shooting, model_summary, &
-        model_describe, model_copy, model_save, model_load, modes_outcome, modes_converged, &
-        modes_report, modes_count, modes_get, modes_shape, modes_motion, modes_equilibrium, &
-        sensitivities_new, sensitivities_add_quantity, sensitivities_add_found, &
-        sensitivities_add_parameter, solution_outcome, solution_converged, solution_report, &
-        solution_diagnostics, solution_history, solution_decay, solution_sharp_event_count, &
-        solution_sharp_events, solution_grid_times, solution_sample, solution_sample_flat, &
-        solution_harmonics, solution_extremes, solution_filtered, solution_parameter, &
-        solution_sensitivities, solution_multiplier_sensitivities, solution_march, &
-        solution_floquet_count, solution_floquet, solution_solve_stability, solution_write_vtk, &
-        solution_save, solution_load, solution_model, stability_outcome, stability_converged, &
+        model_add_controller, model_controller_counts, model_controller_coordinate, &
+        model_controller_state, model_add_surface_force, model_bind_controller, &
+        model_bind_coordinate_law, model_bind_user_force, model_bind_surface_force, &
+        model_set_signal, model_set_force_numbers, model_set_beam_section, model_set_label, &
+        model_label, model_find_label, model_solve_periodic, model_add_parameter, &
+        model_parameter_count, model_parameter, model_parameter_name, model_find_parameter, &
+        model_move_number, model_move_signal, model_set_parameter, model_set_mass_damping, &
+        model_declare_of_phase, model_joint, model_force, model_force_number, model_force_node, &
+        model_beam_element_node_count, model_beam_element_node, model_beam_section, &
+        model_inertia_count, model_inertia, model_inertia_of, model_prescribed, &
+        model_relation_term_count, model_relation_term, model_sample_signal, model_load_count, &
+        model_load_at, model_beam_load_count, model_beam_load, model_beam_load_factor, &
+        model_shell_load_count, model_shell_load, model_solve_conditioned, model_follow_branch, &
+        model_solve_frequency_response, model_solve_static, model_solve_modes, model_march, &
+        model_solve_shooting, model_summary, model_describe, model_copy, model_save, model_load, &
+        modes_outcome, modes_converged, modes_report, modes_count, modes_get, modes_shape, &
+        modes_motion, modes_equilibrium, sensitivities_new, sensitivities_add_quantity, &
+        sensitivities_add_found, sensitivities_add_parameter, solution_outcome, &
+        solution_converged, solution_report, solution_diagnostics, solution_history, &
+        solution_decay, solution_sharp_event_count, solution_sharp_events, solution_grid_times, &
+        solution_sample, solution_sample_flat, solution_harmonics, solution_extremes, &
+        solution_filtered, solution_parameter, solution_sensitivities, &
+        solution_multiplier_sensitivities, solution_march, solution_floquet_count, &
+        solution_floquet, solution_solve_stability, solution_write_vtk, solution_save, &
+        solution_load, solution_model, stability_outcome, stability_converged, &
         stability_verdict, stability_count, stability_get, stability_times, stability_shape, &
         stability_report, table_add_quantity, table_new, table_add_values, table_write_csv
 
@@ -6564,29 +6654,6 @@ contains
         call report(status, stat, errmsg)
     end subroutine model_add_controller
 
-    ! Gives a controller its function, or another one: that of a model from a file is not there.
-    subroutine model_bind_controller(self, force, tangents, function, user_data, destroy, stat, &
-        errmsg)
-        class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: force, tangents
-        procedure(pdn_controller_fn) :: function
-        type(c_ptr), intent(in), optional :: user_data
-        procedure(pdn_destroy_fn), optional :: destroy
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(c_ptr) :: raw_user_data
-        type(c_funptr) :: raw_destroy
-        integer(c_int32_t) :: status
-
-        raw_user_data = c_null_ptr
-        if (present(user_data)) raw_user_data = user_data
-        raw_destroy = c_null_funptr
-        if (present(destroy)) raw_destroy = c_funloc(destroy)
-        status = pdn_model_bind_controller(self%c, force, tangents, c_funloc(function), &
-            raw_user_data, raw_destroy)
-        call report(status, stat, errmsg)
-    end subroutine model_bind_controller
-
     ! Numbers of the coordinates that a controller reads, of those that it acts on, and of its
     ! states.
     subroutine model_controller_counts(self, force, input_count, output_count, state_count, &
@@ -6653,6 +6720,143 @@ contains
             tangents, c_funloc(function), raw_user_data, raw_destroy, first_force)
         call report(status, stat, errmsg)
     end subroutine model_add_surface_force
+
+    ! Gives a controller its function, or another one: that of a model from a file is not there.
+    subroutine model_bind_controller(self, force, tangents, function, user_data, destroy, stat, &
+        errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: force, tangents
+        procedure(pdn_controller_fn) :: function
+        type(c_ptr), intent(in), optional :: user_data
+        procedure(pdn_destroy_fn), optional :: destroy
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: raw_user_data
+        type(c_funptr) :: raw_destroy
+        integer(c_int32_t) :: status
+
+        raw_user_data = c_null_ptr
+        if (present(user_data)) raw_user_data = user_data
+        raw_destroy = c_null_funptr
+        if (present(destroy)) raw_destroy = c_funloc(destroy)
+        status = pdn_model_bind_controller(self%c, force, tangents, c_funloc(function), &
+            raw_user_data, raw_destroy)
+        call report(status, stat, errmsg)
+    end subroutine model_bind_controller
+
+    ! Gives a coordinate law its function, or another one: that of a model from a file is not
+    ! there.
+    subroutine model_bind_coordinate_law(self, force, tangents, function, user_data, destroy, &
+        stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: force, tangents
+        procedure(pdn_coordinate_law_fn) :: function
+        type(c_ptr), intent(in), optional :: user_data
+        procedure(pdn_destroy_fn), optional :: destroy
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: raw_user_data
+        type(c_funptr) :: raw_destroy
+        integer(c_int32_t) :: status
+
+        raw_user_data = c_null_ptr
+        if (present(user_data)) raw_user_data = user_data
+        raw_destroy = c_null_funptr
+        if (present(destroy)) raw_destroy = c_funloc(destroy)
+        status = pdn_model_bind_coordinate_law(self%c, force, tangents, c_funloc(function), &
+            raw_user_data, raw_destroy)
+        call report(status, stat, errmsg)
+    end subroutine model_bind_coordinate_law
+
+    ! Gives forces on nodes their function, or another one: that of a model from a file is not
+    ! there.
+    subroutine model_bind_user_force(self, force, frame, tangents, function, user_data, destroy, &
+        stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: force, frame, tangents
+        procedure(pdn_user_force_fn) :: function
+        type(c_ptr), intent(in), optional :: user_data
+        procedure(pdn_destroy_fn), optional :: destroy
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: raw_user_data
+        type(c_funptr) :: raw_destroy
+        integer(c_int32_t) :: status
+
+        raw_user_data = c_null_ptr
+        if (present(user_data)) raw_user_data = user_data
+        raw_destroy = c_null_funptr
+        if (present(destroy)) raw_destroy = c_funloc(destroy)
+        status = pdn_model_bind_user_force(self%c, force, frame, tangents, c_funloc(function), &
+            raw_user_data, raw_destroy)
+        call report(status, stat, errmsg)
+    end subroutine model_bind_user_force
+
+    ! Gives forces on shell elements their function, or another one: that of a model from a file
+    ! is not there.
+    subroutine model_bind_surface_force(self, first_force, forces, frame, tangents, function, &
+        user_data, destroy, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first_force, forces, frame, tangents
+        procedure(pdn_surface_force_fn) :: function
+        type(c_ptr), intent(in), optional :: user_data
+        procedure(pdn_destroy_fn), optional :: destroy
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: raw_user_data
+        type(c_funptr) :: raw_destroy
+        integer(c_int32_t) :: status
+
+        raw_user_data = c_null_ptr
+        if (present(user_data)) raw_user_data = user_data
+        raw_destroy = c_null_funptr
+        if (present(destroy)) raw_destroy = c_funloc(destroy)
+        status = pdn_model_bind_surface_force(self%c, first_force, forces, frame, tangents, &
+            c_funloc(function), raw_user_data, raw_destroy)
+        call report(status, stat, errmsg)
+    end subroutine model_bind_surface_force
+
+    ! Gives what follows a signal another one: a load, an actuator, a prescribed coordinate.
+    subroutine model_set_signal(self, place, id, component, signal, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: place, id, component
+        type(pdn_signal), intent(in), target :: signal
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_set_signal(self%c, place, id, component, raw_of(signal))
+        call report(status, stat, errmsg)
+    end subroutine model_set_signal
+
+    ! Gives a force other numbers of a sort, as many as it has: those that force_number tells.
+    subroutine model_set_force_numbers(self, force, number, values, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: force, number
+        real(c_double), intent(in), contiguous :: values(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: status
+
+        count = size(values, 1, c_size_t)
+        status = pdn_model_set_force_numbers(self%c, force, number, values, count)
+        call report(status, stat, errmsg)
+    end subroutine model_set_force_numbers
+
+    ! Gives beam elements another section, the same all along them; their twist stays, and so do
+    ! the factors of parameters.
+    subroutine model_set_beam_section(self, first_element, elements, section, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first_element, elements
+        type(pdn_section), intent(in) :: section
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_set_beam_section(self%c, first_element, elements, section)
+        call report(status, stat, errmsg)
+    end subroutine model_set_beam_section
 
     ! Gives a node, joint, element, force, load or the like a label, in place of the one that it
     ! has.

@@ -5691,31 +5691,6 @@ pdn_status pdn_model_add_controller(struct pdn_model *model,
                                     int32_t *force);
 
 /**
- * Gives a controller its function, or another one: that of a model from a file is not there.
- *
- * @param model  the model; not NULL
- * @param force  id of a force by ::pdn_model_add_controller; ::pdn_model_find_label finds it by
- *     its label
- * @param tangents  PDN_TANGENTS_GIVEN or PDN_TANGENTS_DIFFERENCED
- * @param function  the controller, see ::pdn_controller_fn for when it is called; not NULL
- * @param user_data  handed to the function; may be NULL
- * @param destroy  called once with user_data as in ::pdn_model_add_controller; may be NULL. It is
- *     not called if this call fails
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (the force is no
- *     controller)
- *
- * Threads: exclusive use of `model`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_model_bind_controller(struct pdn_model *model,
-                                     int32_t force,
-                                     int32_t tangents,
-                                     pdn_controller_fn function,
-                                     void *user_data,
-                                     pdn_destroy_fn destroy);
-
-/**
  * Numbers of the coordinates that a controller reads, of those that it acts on, and of its states.
  *
  * @param model  the model; not NULL
@@ -5815,6 +5790,181 @@ pdn_status pdn_model_add_surface_force(struct pdn_model *model,
                                        void *user_data,
                                        pdn_destroy_fn destroy,
                                        int32_t *first_force);
+
+/**
+ * Gives a controller its function, or another one: that of a model from a file is not there.
+ *
+ * @param model  the model; not NULL
+ * @param force  id of a force by ::pdn_model_add_controller; ::pdn_model_find_label finds it by
+ *     its label
+ * @param tangents  PDN_TANGENTS_GIVEN or PDN_TANGENTS_DIFFERENCED
+ * @param function  the controller, see ::pdn_controller_fn for when it is called; not NULL
+ * @param user_data  handed to the function; may be NULL
+ * @param destroy  called once with user_data as in ::pdn_model_add_controller; may be NULL. It is
+ *     not called if this call fails
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (the force is no
+ *     controller)
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_bind_controller(struct pdn_model *model,
+                                     int32_t force,
+                                     int32_t tangents,
+                                     pdn_controller_fn function,
+                                     void *user_data,
+                                     pdn_destroy_fn destroy);
+
+/**
+ * Gives a coordinate law its function, or another one: that of a model from a file is not there.
+ *
+ * @param model  the model; not NULL
+ * @param force  id of a force by ::pdn_model_add_coordinate_law; ::pdn_model_find_label finds it
+ *     by its label
+ * @param tangents  PDN_TANGENTS_GIVEN or PDN_TANGENTS_DIFFERENCED
+ * @param function  the law, see ::pdn_coordinate_law_fn for when it is called; not NULL
+ * @param user_data  handed to the function; may be NULL
+ * @param destroy  called once with user_data as in ::pdn_model_add_coordinate_law; may be NULL.
+ *     It is not called if this call fails
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (the force is no
+ *     coordinate law)
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_bind_coordinate_law(struct pdn_model *model,
+                                         int32_t force,
+                                         int32_t tangents,
+                                         pdn_coordinate_law_fn function,
+                                         void *user_data,
+                                         pdn_destroy_fn destroy);
+
+/**
+ * Gives forces on nodes their function, or another one: that of a model from a file is not there.
+ *
+ * @param model  the model; not NULL
+ * @param force  id of a force by ::pdn_model_add_user_force; ::pdn_model_find_label finds it by
+ *     its label
+ * @param frame  PDN_FRAME_SPACE or PDN_FRAME_MATERIAL, as in ::pdn_model_add_user_force
+ * @param tangents  PDN_TANGENTS_GIVEN or PDN_TANGENTS_DIFFERENCED
+ * @param function  the forces, see ::pdn_user_force_fn for when it is called; not NULL
+ * @param user_data  handed to the function; may be NULL
+ * @param destroy  called once with user_data as in ::pdn_model_add_user_force; may be NULL. It is
+ *     not called if this call fails
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (the force is
+ *     none on nodes by a function)
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_bind_user_force(struct pdn_model *model,
+                                     int32_t force,
+                                     int32_t frame,
+                                     int32_t tangents,
+                                     pdn_user_force_fn function,
+                                     void *user_data,
+                                     pdn_destroy_fn destroy);
+
+/**
+ * Gives forces on shell elements their function, or another one: that of a model from a file is
+ * not there.
+ *
+ * @param model  the model; not NULL
+ * @param first_force  id of the first of the forces, by ::pdn_model_add_surface_force;
+ *     ::pdn_model_find_label finds it by its label
+ * @param forces  number of forces, in order: one on each element, at least 1
+ * @param frame  PDN_FRAME_SPACE or PDN_FRAME_MATERIAL, as in ::pdn_model_add_surface_force
+ * @param tangents  PDN_TANGENTS_GIVEN or PDN_TANGENTS_DIFFERENCED
+ * @param function  the forces, see ::pdn_surface_force_fn for when it is called; not NULL
+ * @param user_data  handed to the function; may be NULL
+ * @param destroy  called once with user_data as in ::pdn_model_add_surface_force; may be NULL. It
+ *     is not called if this call fails
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE
+ *     (one of the forces is none on a shell by a function)
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_bind_surface_force(struct pdn_model *model,
+                                        int32_t first_force,
+                                        int32_t forces,
+                                        int32_t frame,
+                                        int32_t tangents,
+                                        pdn_surface_force_fn function,
+                                        void *user_data,
+                                        pdn_destroy_fn destroy);
+
+/**
+ * Gives what follows a signal another one: a load, an actuator, a prescribed coordinate. In a
+ * model from a file this brings back signals by functions, too.
+ *
+ * Parts of it that parameters move have the parameters' values again.
+ *
+ * @param model  the model; not NULL
+ * @param place  what has the signal: PDN_SIGNAL_OF_ACTUATOR, ...
+ * @param id  its id: of a force, prescribed coordinate, load or relation; 0 for gravity
+ * @param component  of a load PDN_FORCE_1, ... or PDN_MOMENT_3, one that has a signal; of gravity
+ *     from 0 to 2; 0 for all else
+ * @param signal  the other signal, copied; not NULL
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_NOT_AVAILABLE (it has no such signal)
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_set_signal(struct pdn_model *model,
+                                int32_t place,
+                                int32_t id,
+                                int32_t component,
+                                const struct pdn_signal *signal);
+
+/**
+ * Gives a force other numbers of a sort, as many as it has: those that ::pdn_model_force_number
+ * tells.
+ *
+ * @param model  the model; not NULL
+ * @param force  id of the force
+ * @param number  PDN_NUMBER_STIFFNESS, PDN_NUMBER_DAMPING or PDN_NUMBER_RELAXATION_TIME
+ * @param values  array of length [count]: the numbers, in the order of ::pdn_model_force_number
+ * @param count  how many; pdn_force_info tells how many the force has
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE (a
+ *     parameter moves such a number of the force, or the numbers are none of such a force)
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_set_force_numbers(struct pdn_model *model,
+                                       int32_t force,
+                                       int32_t number,
+                                       const double *values,
+                                       size_t count);
+
+/**
+ * Gives beam elements another section, the same all along them; their twist stays, and so do the
+ * factors of parameters.
+ *
+ * @param model  the model; not NULL
+ * @param first_element  id of the first beam element
+ * @param elements  number of elements, in order, at least 1
+ * @param section  the section; with mass where the elements' have some, without where they have
+ *     none; not NULL
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE,
+ *     PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_set_beam_section(struct pdn_model *model,
+                                      int32_t first_element,
+                                      int32_t elements,
+                                      const struct pdn_section *section);
 
 /**
  * Gives a node, joint, element, force, load or the like a label, in place of the one that it has.

@@ -29,6 +29,8 @@ const FILES: &[&str] = &[
     "user_force",
     "controller",
     "surface_force",
+    "bind",
+    "change",
     "label",
     "solution",
     "quantity",

@@ -298,7 +298,7 @@ fn without_its_functions_a_solution_is_whole_and_its_model_is_not() {
     assert!(
         refused
             .to_string()
-            .contains("the model was loaded from a file, which holds none: build the model again"),
+            .contains("the model was loaded from a file, which holds none: bind it again"),
         "{refused}"
     );
 

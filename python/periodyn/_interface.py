@@ -4174,26 +4174,6 @@ class Model(ModelExtras):
         )
         return force[0]
 
-    def bind_controller(self, force, tangents, function):
-        """Gives a controller its function, or another one: that of a model from a file is not
-        there.
-
-        Args:
-            force: id of a force by Model.add_controller; Model.find_label finds it by its label
-            tangents: TANGENTS_GIVEN or TANGENTS_DIFFERENCED
-            function: the controller
-        """
-        function = _callbacks.controller(function, self._kept)
-        call(
-            lib.pdn_model_bind_controller,
-            self._c,
-            force,
-            tangents,
-            function.function,
-            function.data,
-            ffi.NULL,
-        )
-
     def controller_counts(self, force):
         """Numbers of the coordinates that a controller reads, of those that it acts on, and of its
         states.
@@ -4291,6 +4271,136 @@ class Model(ModelExtras):
             first_force,
         )
         return first_force[0]
+
+    def bind_controller(self, force, tangents, function):
+        """Gives a controller its function, or another one: that of a model from a file is not
+        there.
+
+        Args:
+            force: id of a force by Model.add_controller; Model.find_label finds it by its label
+            tangents: TANGENTS_GIVEN or TANGENTS_DIFFERENCED
+            function: the controller
+        """
+        function = _callbacks.controller(function, self._kept)
+        call(
+            lib.pdn_model_bind_controller,
+            self._c,
+            force,
+            tangents,
+            function.function,
+            function.data,
+            ffi.NULL,
+        )
+
+    def bind_coordinate_law(self, force, tangents, function):
+        """Gives a coordinate law its function, or another one: that of a model from a file is not
+        there.
+
+        Args:
+            force: id of a force by Model.add_coordinate_law; Model.find_label finds it by its
+                label
+            tangents: TANGENTS_GIVEN or TANGENTS_DIFFERENCED
+            function: the law
+        """
+        function = _callbacks.coordinate_law(function, self._kept)
+        call(
+            lib.pdn_model_bind_coordinate_law,
+            self._c,
+            force,
+            tangents,
+            function.function,
+            function.data,
+            ffi.NULL,
+        )
+
+    def bind_user_force(self, force, frame, tangents, function):
+        """Gives forces on nodes their function, or another one: that of a model from a file is not
+        there.
+
+        Args:
+            force: id of a force by Model.add_user_force; Model.find_label finds it by its label
+            frame: FRAME_SPACE or FRAME_MATERIAL, as in Model.add_user_force
+            tangents: TANGENTS_GIVEN or TANGENTS_DIFFERENCED
+            function: the forces
+        """
+        function = _callbacks.user_force(function, self._kept)
+        call(
+            lib.pdn_model_bind_user_force,
+            self._c,
+            force,
+            frame,
+            tangents,
+            function.function,
+            function.data,
+            ffi.NULL,
+        )
+
+    def bind_surface_force(self, first_force, forces, frame, tangents, function):
+        """Gives forces on shell elements their function, or another one: that of a model from a
+        file is not there.
+
+        Args:
+            first_force: id of the first of the forces, by Model.add_surface_force;
+                Model.find_label finds it by its label
+            forces: number of forces, in order: one on each element, at least 1
+            frame: FRAME_SPACE or FRAME_MATERIAL, as in Model.add_surface_force
+            tangents: TANGENTS_GIVEN or TANGENTS_DIFFERENCED
+            function: the forces
+        """
+        function = _callbacks.surface_force(function, self._kept)
+        call(
+            lib.pdn_model_bind_surface_force,
+            self._c,
+            first_force,
+            forces,
+            frame,
+            tangents,
+            function.function,
+            function.data,
+            ffi.NULL,
+        )
+
+    def set_signal(self, place, id, component, signal):
+        """Gives what follows a signal another one: a load, an actuator, a prescribed coordinate.
+        In a model from a file this brings back signals by functions, too.
+
+        Parts of it that parameters move have the parameters' values again.
+
+        Args:
+            place: what has the signal: SIGNAL_OF_ACTUATOR,
+            id: its id: of a force, prescribed coordinate, load or relation; 0 for gravity
+            component: of a load FORCE_1, ... or MOMENT_3, one that has a signal; of gravity
+                from 0 to 2; 0 for all else
+            signal: the other signal, copied; a number, a Signal, or a function of time
+        """
+        signal = as_signal(signal, self._kept)
+        call(lib.pdn_model_set_signal, self._c, place, id, component, signal)
+
+    def set_force_numbers(self, force, number, values):
+        """Gives a force other numbers of a sort, as many as it has: those that Model.force_number
+        tells.
+
+        Args:
+            force: id of the force
+            number: NUMBER_STIFFNESS, NUMBER_DAMPING or NUMBER_RELAXATION_TIME
+            values: array of shape (count): the numbers, in the order of Model.force_number
+        """
+        values = reals("values", values, (None,))
+        _count = len(values)
+        call(lib.pdn_model_set_force_numbers, self._c, force, number, pointer(values), _count)
+
+    def set_beam_section(self, first_element, elements, section):
+        """Gives beam elements another section, the same all along them; their twist stays, and so
+        do the factors of parameters.
+
+        Args:
+            first_element: id of the first beam element
+            elements: number of elements, in order, at least 1
+            section: the section; with mass where the elements' have some, without where they
+                have none
+        """
+        section = of_type("Section")(section, self._kept)
+        call(lib.pdn_model_set_beam_section, self._c, first_element, elements, section)
 
     def set_label(self, kind, id, label=None):
         """Gives a node, joint, element, force, load or the like a label, in place of the one that

@@ -142,3 +142,28 @@ def test_solves_run_on_threads_at_once():
         time.sleep(0.001)
     thread.join()
     assert counted > 3
+
+
+def test_functions_come_back_to_a_model_from_a_file(tmp_path):
+    def law(time, coordinate, rate):
+        return 4 * coordinate, (4, 0)
+
+    def drag(state, values):
+        values.forces[0, :3] = -0.5 * state.velocities[0, :3]
+
+    model = pdn.Model()
+    body = model.add_rigid_body(1, np.zeros(3), np.eye(3))
+    slide = model.add_prismatic(pdn.GROUND, body, np.zeros(3), [1, 0, 0])
+    model.add_coordinate_law(slide, pdn.DISPLACEMENT, pdn.TANGENTS_GIVEN, law)
+    model.add_user_force([body], pdn.FRAME_SPACE, pdn.TANGENTS_DIFFERENCED, drag)
+    push = model.add_actuator(slide, pdn.DISPLACEMENT, np.cos)
+    wanted = model.solve_periodic(2 * np.pi).sample(pdn.Quantity(pdn.NODE_POSITION, body), [0, 1])
+    model.save(tmp_path / "model.pdm")
+    loaded = pdn.Model.load(tmp_path / "model.pdm")
+    with pytest.raises(pdn.Error, match="bind it again"):
+        loaded.solve_periodic(2 * np.pi)
+    loaded.bind_coordinate_law(pdn.FIRST_FORCE, pdn.TANGENTS_GIVEN, law)
+    loaded.bind_user_force(pdn.FIRST_FORCE + 1, pdn.FRAME_SPACE, pdn.TANGENTS_DIFFERENCED, drag)
+    loaded.set_signal(pdn.SIGNAL_OF_ACTUATOR, push, 0, np.cos)
+    found = loaded.solve_periodic(2 * np.pi).sample(pdn.Quantity(pdn.NODE_POSITION, body), [0, 1])
+    np.testing.assert_array_equal(found, wanted)

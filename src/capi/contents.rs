@@ -260,6 +260,17 @@ pub unsafe extern "C" fn pdn_model_force(
     })
 }
 
+/// A sort of numbers of forces.
+pub(super) fn force_number(number: i32) -> Result<ForceNumber> {
+    let table = [
+        (PDN_NUMBER_STIFFNESS, ForceNumber::Stiffness),
+        (PDN_NUMBER_DAMPING, ForceNumber::Damping),
+        (PDN_NUMBER_RELAXATION_TIME, ForceNumber::RelaxationTime),
+    ];
+    let expected = "PDN_NUMBER_STIFFNESS, PDN_NUMBER_DAMPING or PDN_NUMBER_RELAXATION_TIME";
+    choose(&table, number, "number", expected)
+}
+
 /// A number of a force, with the factors of parameters.
 ///
 /// Of a spring-damper the coefficients of the powers of the growth and of the rate, from the first;
@@ -286,14 +297,7 @@ pub unsafe extern "C" fn pdn_model_force_number(
     guard(|call| {
         let model = call.shared(model, "model")?;
         let id = self::force(&model, force, "force")?;
-        let table = [
-            (PDN_NUMBER_STIFFNESS, ForceNumber::Stiffness),
-            (PDN_NUMBER_DAMPING, ForceNumber::Damping),
-            (PDN_NUMBER_RELAXATION_TIME, ForceNumber::RelaxationTime),
-        ];
-        let expected = "PDN_NUMBER_STIFFNESS, PDN_NUMBER_DAMPING or PDN_NUMBER_RELAXATION_TIME";
-        let which = choose(&table, number, "number", expected)?;
-        let numbers = model.force(id)?.numbers(which);
+        let numbers = model.force(id)?.numbers(force_number(number)?);
         let place = super::model::number(index, numbers.len(), "index", "a number")?;
         call.out(out, "out")?.set(numbers[place]);
         Ok(())

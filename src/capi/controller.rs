@@ -90,7 +90,7 @@ pub type pdn_controller_fn = Option<
     ) -> i32,
 >;
 
-type Function = unsafe extern "C" fn(
+pub(super) type Function = unsafe extern "C" fn(
     state: *const pdn_controller_state,
     values: *mut pdn_controller_values,
     user_data: *mut c_void,
@@ -146,7 +146,7 @@ fn states(
     Ok((0..count).map(state).collect())
 }
 
-fn law(
+pub(super) fn law(
     function: Function,
     gives_tangents: bool,
     user_data: *mut c_void,
@@ -269,40 +269,6 @@ pub unsafe extern "C" fn pdn_model_add_controller(
             model.add_controller(&inputs, &outputs, &states, law)
         },
     )
-}
-
-/// Gives a controller its function, or another one: that of a model from a file is not there.
-///
-/// @param model  the model; not NULL
-/// @param force  id of a force by ::pdn_model_add_controller; ::pdn_model_find_label finds it by
-///     its label
-/// @param tangents  PDN_TANGENTS_GIVEN or PDN_TANGENTS_DIFFERENCED
-/// @param function  the controller, see ::pdn_controller_fn for when it is called; not NULL
-/// @param user_data  handed to the function; may be NULL
-/// @param destroy  called once with user_data as in ::pdn_model_add_controller; may be NULL. It is
-///     not called if this call fails
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (the force is no
-///     controller)
-///
-/// Threads: exclusive use of `model`.
-/// @since 0.1
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn pdn_model_bind_controller(
-    model: *mut pdn_model,
-    force: i32,
-    tangents: i32,
-    function: pdn_controller_fn,
-    user_data: *mut c_void,
-    destroy: pdn_destroy_fn,
-) -> pdn_status {
-    guard(|call| {
-        let mut model = call.exclusive(model, "model")?;
-        let force = self::force(&model, force, "force")?;
-        model.require_controller(force)?;
-        let gives_tangents = gives_tangents(tangents)?;
-        let function = call.function(function, "function")?;
-        model.bind_controller(force, law(function, gives_tangents, user_data, destroy))
-    })
 }
 
 /// Numbers of the coordinates that a controller reads, of those that it acts on, and of its states.

@@ -71,9 +71,11 @@
 #![allow(rustdoc::broken_intra_doc_links, rustdoc::private_intra_doc_links)]
 
 pub mod beam;
+pub mod bind;
 pub mod branch;
 pub mod bushing;
 pub mod callback;
+pub mod change;
 pub mod condition;
 pub mod contents;
 pub mod controller;

@@ -8,7 +8,7 @@ use super::model::{pdn_model, shell_element};
 use super::shell::load_place;
 use super::status::pdn_status;
 use super::user_force::{gives_tangents, pdn_destroy_fn};
-use crate::elements::{SurfaceForceInput, SurfaceForceLaw, SurfaceForceOutput};
+use crate::elements::{LoadFrame, SurfaceForceInput, SurfaceForceLaw, SurfaceForceOutput};
 use crate::error::{Error, Result};
 use libc::c_void;
 use std::sync::Arc;
@@ -91,7 +91,7 @@ pub type pdn_surface_force_fn = Option<
     ) -> i32,
 >;
 
-type SurfaceFunction = unsafe extern "C" fn(
+pub(super) type SurfaceFunction = unsafe extern "C" fn(
     state: *const pdn_surface_state,
     values: *mut pdn_surface_values,
     user_data: *mut c_void,
@@ -150,18 +150,28 @@ pub unsafe extern "C" fn pdn_model_add_surface_force(
         let function = call.function(function, "function")?;
         let out = call.out_optional(first_force, "first_force")?;
         let id = Kind::Force.next(&model, elements, "force")?;
-        let callback = Callback::<SurfaceFunction>::new(function, user_data, destroy);
-        let law = SurfaceForceLaw {
-            function: Arc::new(move |input, output| call_back(&callback, input, output)),
-            gives_tangents,
-            frame,
-        };
+        let law = surface_force_law(function, (gives_tangents, frame), user_data, destroy);
         model.add_surface_forces(first, elements, place, law)?;
         if let Some(out) = out {
             out.set(id);
         }
         Ok(())
     })
+}
+
+/// Forces on a shell that are the caller's function.
+pub(super) fn surface_force_law(
+    function: SurfaceFunction,
+    (gives_tangents, frame): (bool, LoadFrame),
+    user_data: *mut c_void,
+    destroy: pdn_destroy_fn,
+) -> SurfaceForceLaw {
+    let callback = Callback::<SurfaceFunction>::new(function, user_data, destroy);
+    SurfaceForceLaw {
+        function: Arc::new(move |input, output| call_back(&callback, input, output)),
+        gives_tangents,
+        frame,
+    }
 }
 
 fn call_back(

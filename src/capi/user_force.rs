@@ -11,7 +11,7 @@ use super::options::Options;
 use super::pointer::check_pointer;
 use super::status::pdn_status;
 use crate::elements::{
-    CoordinateLaw, Effort, NodeForceInput, NodeForceLaw, NodeForceOutput, Tangent,
+    CoordinateLaw, Effort, LoadFrame, NodeForceInput, NodeForceLaw, NodeForceOutput, Tangent,
 };
 use crate::error::{Error, Result};
 use crate::model::Model;
@@ -60,7 +60,7 @@ pub type pdn_coordinate_law_fn = Option<
     ) -> i32,
 >;
 
-type CoordinateFunction =
+pub(super) type CoordinateFunction =
     unsafe extern "C" fn(f64, f64, f64, *mut f64, *mut f64, *mut c_void) -> i32;
 
 /// What a user's forces on nodes may depend on. The library makes it; a later one may add fields at
@@ -132,7 +132,7 @@ pub type pdn_user_force_fn = Option<
     ) -> i32,
 >;
 
-type UserForceFunction = unsafe extern "C" fn(
+pub(super) type UserForceFunction = unsafe extern "C" fn(
     state: *const pdn_force_state,
     values: *mut pdn_force_values,
     user_data: *mut c_void,
@@ -197,41 +197,7 @@ pub unsafe extern "C" fn pdn_model_add_coordinate_law(
         (force, "force"),
         read,
         |model, (at, gives_derivatives, function)| {
-            let callback = Callback::<CoordinateFunction>::new(function, user_data, destroy);
-            let function = move |at: &crate::elements::CoordinateState| {
-                // What the function leaves unwritten is found out.
-                let mut effort = f64::NAN;
-                let mut derivatives = [f64::NAN; 2];
-                callback.invoke("coordinate law", |function, user_data| {
-                    let wanted = if gives_derivatives {
-                        derivatives.as_mut_ptr()
-                    } else {
-                        std::ptr::null_mut()
-                    };
-                    // SAFETY: the caller gave the function with its `user_data`; it writes three
-                    // numbers.
-                    unsafe {
-                        function(
-                            at.time,
-                            at.value,
-                            at.rate,
-                            &raw mut effort,
-                            wanted,
-                            user_data,
-                        )
-                    }
-                })?;
-                Ok(Effort {
-                    value: effort,
-                    by_coordinate: derivatives[0],
-                    by_rate: derivatives[1],
-                })
-            };
-            let function = Arc::new(function);
-            let law = CoordinateLaw {
-                function,
-                gives_derivatives,
-            };
+            let law = coordinate_law(function, gives_derivatives, user_data, destroy);
             model.add_coordinate_law(at, law)
         },
     )
@@ -289,15 +255,58 @@ pub unsafe extern "C" fn pdn_model_add_user_force(
         (force, "force"),
         read,
         |model, (nodes, frame, gives_tangents, function)| {
-            let callback = Callback::<UserForceFunction>::new(function, user_data, destroy);
-            let law = NodeForceLaw {
-                function: Arc::new(move |input, output| call_back(&callback, input, output)),
-                gives_tangents,
-                frame,
-            };
+            let law = node_force_law(function, (gives_tangents, frame), user_data, destroy);
             model.add_node_forces(&nodes, law)
         },
     )
+}
+
+/// A law of effort that is the caller's function.
+pub(super) fn coordinate_law(
+    function: CoordinateFunction,
+    gives_derivatives: bool,
+    user_data: *mut c_void,
+    destroy: pdn_destroy_fn,
+) -> CoordinateLaw {
+    let callback = Callback::<CoordinateFunction>::new(function, user_data, destroy);
+    let function = move |at: &crate::elements::CoordinateState| {
+        // What the function leaves unwritten is found out.
+        let mut effort = f64::NAN;
+        let mut derivatives = [f64::NAN; 2];
+        callback.invoke("coordinate law", |function, user_data| {
+            let wanted = match gives_derivatives {
+                true => derivatives.as_mut_ptr(),
+                false => std::ptr::null_mut(),
+            };
+            let effort = &raw mut effort;
+            // SAFETY: the caller gave the function with its `user_data`; it writes three numbers.
+            unsafe { function(at.time, at.value, at.rate, effort, wanted, user_data) }
+        })?;
+        Ok(Effort {
+            value: effort,
+            by_coordinate: derivatives[0],
+            by_rate: derivatives[1],
+        })
+    };
+    CoordinateLaw {
+        function: Arc::new(function),
+        gives_derivatives,
+    }
+}
+
+/// Forces on nodes that are the caller's function.
+pub(super) fn node_force_law(
+    function: UserForceFunction,
+    (gives_tangents, frame): (bool, LoadFrame),
+    user_data: *mut c_void,
+    destroy: pdn_destroy_fn,
+) -> NodeForceLaw {
+    let callback = Callback::<UserForceFunction>::new(function, user_data, destroy);
+    NodeForceLaw {
+        function: Arc::new(move |input, output| call_back(&callback, input, output)),
+        gives_tangents,
+        frame,
+    }
 }
 
 fn call_back(

@@ -73,6 +73,14 @@ impl From<Section> for SectionLine {
 const CORNER: f64 = 1e-12;
 
 impl SectionLine {
+    /// The same twist, with this section everywhere.
+    pub fn with_section(&self, section: Section) -> Self {
+        SectionLine {
+            places: self.places.iter().map(|(at, _)| (*at, section)).collect(),
+            twists: self.twists.clone(),
+        }
+    }
+
     /// From the sections at the element's ends, and at ascending places in between.
     pub fn new(start: Section, inside: &[(f64, Section)], end: Section) -> Self {
         let mut places = vec![(-1.0, start)];

@@ -49,18 +49,6 @@ impl Model {
         require_valid(self, [inputs, outputs], states)
     }
 
-    /// Gives a controller its law, or another: that of a model that was loaded is not in the file.
-    ///
-    /// # Errors
-    /// If the force is no controller.
-    pub fn bind_controller(&mut self, force: usize, law: ControllerLaw) -> Result<()> {
-        self.require_controller(force)?;
-        if let ForceDefinition::Controller(controller) = &mut self.forces[force] {
-            controller.law = UserFunction::new(law);
-        }
-        Ok(())
-    }
-
     /// The controller of this id.
     ///
     /// # Errors

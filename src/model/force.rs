@@ -37,10 +37,16 @@ impl Model {
 
     /// Adds a force, if it is valid; returns its id.
     pub(super) fn add_force(&mut self, force: ForceDefinition) -> Result<usize> {
+        self.require_force_definition(&force)?;
+        self.forces.push(force);
+        Ok(self.forces.len() - 1)
+    }
+
+    pub(super) fn require_force_definition(&self, force: &ForceDefinition) -> Result<()> {
         if let Some(at) = force.at() {
             self.require_coordinate(&at)?;
         }
-        match &force {
+        match force {
             ForceDefinition::SpringDamper {
                 stiffness,
                 damping,
@@ -77,8 +83,7 @@ impl Model {
                 self.require_shell_place((*element, 1), *place)?;
             }
         }
-        self.forces.push(force);
-        Ok(self.forces.len() - 1)
+        Ok(())
     }
 
     /// Adds a strut: the line between a point of each of two bodies (`None` is the ground), given

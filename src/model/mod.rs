@@ -4,7 +4,9 @@
 //! validates its arguments and leaves the model as it was if they are refused.
 
 mod beam;
+mod bound;
 mod bushing;
+mod change;
 mod contents;
 mod controller;
 mod force;

@@ -121,6 +121,19 @@ impl Model {
         checked
     }
 
+    /// Gives parts of a signal that parameters move the parameters' values again.
+    pub(super) fn move_signal_again(&mut self, place: SignalPlace) -> Result<()> {
+        let parameters = self.parameters.iter();
+        let all = parameters.flat_map(|p| p.targets.iter().map(|(t, f)| (*t, f * p.value)));
+        let of_signal = |(target, _): &(Target, f64)| match target {
+            Target::Signal(other, _) => *other == place,
+            _ => false,
+        };
+        let moved: Vec<_> = all.filter(of_signal).collect();
+        let mut again = moved.into_iter();
+        again.try_for_each(|(target, number)| self.move_target(target, number))
+    }
+
     /// Checks that what a target is a factor of has finite entries.
     fn require_scaled(&self, target: Target) -> Result<()> {
         match target {
@@ -293,7 +306,7 @@ impl Model {
         }
     }
 
-    fn signal_mut(&mut self, place: SignalPlace) -> Option<&mut Signal> {
+    pub(super) fn signal_mut(&mut self, place: SignalPlace) -> Option<&mut Signal> {
         match place {
             SignalPlace::Actuator(force) => match self.forces.get_mut(force)? {
                 ForceDefinition::Actuator { signal, .. } => Some(signal),

@@ -32,7 +32,7 @@ impl<F> UserFunction<F> {
 /// Why a model without its functions cannot be solved.
 pub(crate) fn absent() -> Error {
     let message = "its function is not there, as the model was loaded from a file, which holds \
-        none: build the model again to solve it";
+        none: bind it again, or build the model again";
     Error::new(ErrorKind::Callback, message)
 }
 

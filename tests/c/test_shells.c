@@ -376,6 +376,15 @@ static void surface_forces(void)
             CHECK(info.shell_element == SHELL_ELEMENT(1) && info.shell_place == PDN_SHELL_SURFACE);
             PDN_INIT(pdn_tangent_check, &check);
             CHECK_STATUS(pdn_model_check_tangents(model, force, 1, &check), PDN_ERR_NOT_AVAILABLE);
+            /* The same by a model from a file, to which the function comes back. */
+            CHECK_STATUS(pdn_model_save(model, "surface_forces.pdm"), PDN_OK);
+            pdn_model_free(model);
+            CHECK_STATUS(pdn_model_load("surface_forces.pdm", &model), PDN_OK);
+            remove("surface_forces.pdm");
+            CHECK_STATUS(pdn_solve_static(model, NULL, &solution), PDN_ERR_CALLBACK);
+            CHECK_STATUS(pdn_model_bind_surface_force(model, force, 1, PDN_FRAME_MATERIAL,
+                                                      PDN_TANGENTS_DIFFERENCED, blow, &wind, NULL),
+                         PDN_OK);
         }
         CHECK_STATUS(pdn_solve_static(model, NULL, &solution), PDN_OK);
         CHECK(pdn_solution_outcome(solution) == PDN_CONVERGED);

@@ -1,0 +1,102 @@
+//! Changes of what a model holds, by ids.
+
+use super::contents::force_number;
+use super::guard::guard;
+use super::model::{self, beam_element, pdn_model};
+use super::parameter::signal_place;
+use super::section::{self, pdn_section};
+use super::signal::{self, pdn_signal};
+use super::status::pdn_status;
+use crate::error::Error;
+
+/// Gives what follows a signal another one: a load, an actuator, a prescribed coordinate. In a
+/// model from a file this brings back signals by functions, too.
+///
+/// Parts of it that parameters move have the parameters' values again.
+///
+/// @param model  the model; not NULL
+/// @param place  what has the signal: PDN_SIGNAL_OF_ACTUATOR, ...
+/// @param id  its id: of a force, prescribed coordinate, load or relation; 0 for gravity
+/// @param component  of a load PDN_FORCE_1, ... or PDN_MOMENT_3, one that has a signal; of gravity
+///     from 0 to 2; 0 for all else
+/// @param signal  the other signal, copied; not NULL
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
+///     PDN_ERR_NOT_AVAILABLE (it has no such signal)
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_set_signal(
+    model: *mut pdn_model,
+    place: i32,
+    id: i32,
+    component: i32,
+    signal: *const pdn_signal,
+) -> pdn_status {
+    guard(|call| {
+        let mut model = call.exclusive(model, "model")?;
+        let place = signal_place(&model, place, id, component)?;
+        let signal = signal::read(call, signal, "signal")?;
+        model.set_signal(place, &signal)
+    })
+}
+
+/// Gives a force other numbers of a sort, as many as it has: those that ::pdn_model_force_number
+/// tells.
+///
+/// @param model  the model; not NULL
+/// @param force  id of the force
+/// @param number  PDN_NUMBER_STIFFNESS, PDN_NUMBER_DAMPING or PDN_NUMBER_RELAXATION_TIME
+/// @param values  array of length [count]: the numbers, in the order of ::pdn_model_force_number
+/// @param count  how many; pdn_force_info tells how many the force has
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE (a
+///     parameter moves such a number of the force, or the numbers are none of such a force)
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_set_force_numbers(
+    model: *mut pdn_model,
+    force: i32,
+    number: i32,
+    values: *const f64,
+    count: usize,
+) -> pdn_status {
+    guard(|call| {
+        let mut model = call.exclusive(model, "model")?;
+        let force = model::force(&model, force, "force")?;
+        let which = force_number(number)?;
+        let values = call.numbers(values, count, "values")?;
+        model.set_force_numbers(force, which, values)
+    })
+}
+
+/// Gives beam elements another section, the same all along them; their twist stays, and so do the
+/// factors of parameters.
+///
+/// @param model  the model; not NULL
+/// @param first_element  id of the first beam element
+/// @param elements  number of elements, in order, at least 1
+/// @param section  the section; with mass where the elements' have some, without where they have
+///     none; not NULL
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE,
+///     PDN_ERR_ID, PDN_ERR_VALUE
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_set_beam_section(
+    model: *mut pdn_model,
+    first_element: i32,
+    elements: i32,
+    section: *const pdn_section,
+) -> pdn_status {
+    guard(|call| {
+        let mut model = call.exclusive(model, "model")?;
+        let first = beam_element(&model, first_element, "first_element")?;
+        let count = usize::try_from(elements)
+            .map_err(|_| Error::size("elements", "at least 1", elements))?;
+        let section = section::read(call, section, "section")?;
+        model.set_beam_section(first, count, &section)
+    })
+}
