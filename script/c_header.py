@@ -6,6 +6,21 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 HEADER = ROOT / "include/periodyn.h"
 
+# What those who do not say it mean, in languages where parameters may be left out.
+DEFAULTS = {
+    "pdn_sensitivities_add_quantity": {"at": 0.0},
+    "pdn_conditions_add_quantity": {"scale": 0.0},
+    "pdn_shell_section_set_isotropic": {"drilling": 1.0, "drilling_gradient": 0.1},
+    "pdn_model_add_shell": {"join": 1},
+    "pdn_model_add_shell_grid": {"join": 1},
+    "pdn_signal_set_harmonics": {"mean": 0.0, "rate": 0.0},
+    "pdn_signal_set_samples": {"rate": 0.0},
+    "pdn_model_add_spring_damper": {"damping": 0.0, "rest": 0.0},
+    "pdn_model_add_nonlinear_spring_damper": {"rest": 0.0},
+    "pdn_equations_update": {"step": 1.0},
+    "pdn_equations_solution": {"root": -1},
+}
+
 DOCUMENTED = r"/\*\*((?:(?!\*/).)*?)\*/\s*"
 ARGUMENTS = r"\(([^()]*)\);"
 

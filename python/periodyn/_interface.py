@@ -2327,7 +2327,7 @@ class Conditions(Handle):
         direction = reals("direction", direction, (3,))
         call(lib.pdn_conditions_add_translation_phase, self._c, pointer(direction))
 
-    def add_quantity(self, quantity, feature, at, value, scale):
+    def add_quantity(self, quantity, feature, at, value, scale=0.0):
         """Adds the condition that the mean, a harmonic, or the value at a time, of a quantity is
         this: trim.
 
