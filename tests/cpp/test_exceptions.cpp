@@ -129,7 +129,8 @@ static std::vector<double> look(const pdn::Model &model, std::int32_t hinge, con
     plan = {};
     const auto solution = solve(model);
     CHECK(solution.converged());
-    return solution.sample({pdn::Kind::coordinate, hinge, Coordinate::rotation}, {0, 0.11, 0.4});
+    return solution.sample({pdn::Kind::joint_coordinate, hinge, Coordinate::rotation},
+                           {0, 0.11, 0.4});
 }
 
 // The call at which something was thrown that came out, or nothing if nothing did.

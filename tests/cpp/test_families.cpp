@@ -12,13 +12,13 @@ struct Driven : Oscillator {
 
     Driven() : moment(model.add_parameter("moment", 0, 1))
     {
-        const auto drive = pdn::Signal::harmonics(0, 0, {0.6}, {0});
+        const auto drive = pdn::Signal().set_harmonics(0, 0, {0.6}, {0});
         const auto force = model.add_actuator(hinge, pdn::Coordinate::rotation, drive);
         model.move_signal(moment, pdn::SignalOf::actuator, force, 0, pdn::SignalPart::mean, 1);
     }
     pdn::Quantity angle() const
     {
-        return {pdn::Kind::coordinate, hinge, pdn::Coordinate::rotation};
+        return {pdn::Kind::joint_coordinate, hinge, pdn::Coordinate::rotation};
     }
 };
 
@@ -43,11 +43,14 @@ void moment_for_a_mean_angle()
     sensitivities.add_quantity(o.angle(), pdn::Feature::cosine, 1);
     sensitivities.add_parameter(o.moment);
     for (const auto method : {pdn::SensitivityMethod::direct, pdn::SensitivityMethod::adjoint}) {
-        const auto found = sensitivities.of(solution, nullptr, method);
+        pdn::SensitivityOptions options;
+        options.method = method;
+        const auto found = solution.sensitivities(sensitivities, 2, 1, nullptr, options);
         NEAR(found[0], 1 / 3.0, 1e-10);
         NEAR(found[1], 0, 1e-10);
     }
-    REFUSED(sensitivities.of(solution, &conditions), PDN_ERR_VALUE, "parameters: ");
+    REFUSED(solution.sensitivities(sensitivities, 2, 1, &conditions), PDN_ERR_VALUE,
+            "parameters: ");
 
     REFUSED(conditions.add_quantity(o.angle(), pdn::Feature(7), 0, 0.1), PDN_ERR_VALUE,
             "feature: ");
@@ -68,9 +71,8 @@ void response_over_frequencies()
         const std::complex<double> stiffness(3 - 0.5 * w * w, 0.2 * w);
         NEAR(std::hypot(angle.cosines[0], angle.sines[0]), 0.6 / std::abs(stiffness), 1e-8);
     }
-    branch.write_csv("test_families_cpp.csv", {{pdn::Kind::position, o.body}, o.angle()});
-    REFUSED(branch.write_csv("x.csv", {{pdn::Kind(99), o.body}}), PDN_ERR_VALUE,
-            "quantities[0]: ");
+    branch.write_csv("test_families_cpp.csv", {{pdn::Kind::node_position, o.body}, o.angle()});
+    REFUSED(branch.write_csv("x.csv", {{pdn::Kind(99), o.body}}), PDN_ERR_VALUE, "quantities[0]: ");
     branch.write_campbell("test_families_cpp.csv");
     REFUSED(branch.write_campbell("x.csv", {o.body}), PDN_ERR_SIZE, "blades: ");
 
