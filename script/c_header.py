@@ -85,3 +85,38 @@ class Header:
             parameters.append(parameter)
         return {"name": name, "result": result, "summary": re.split(r"\.(?: |$)", doc)[0],
                 "doc": doc, "parameters": parameters}
+
+
+class Binding:
+    """A function of C, for another language: a subclass has a method for each kind of parameter."""
+
+    def __init__(self, header, function):
+        self.header, self.function = header, function
+        self.name, self.parameters = function["name"], function["parameters"]
+
+    def said(self, i):
+        """What is said of a parameter; "likewise" and "as cosines" refer to the one before."""
+        said = self.parameters[i]["said"]
+        if said.startswith("as cosines") or re.match(r"array of length \[\w+\]; likewise", said):
+            return self.parameters[i - 1]["said"]
+        return said
+
+    def kind(self, p):
+        """The kind of a parameter."""
+        base, const, new = p["base"], p["const"], "" if p["const"] else "new_"
+        if base == "void":
+            return "data"
+        if base in self.header.callback_names:
+            return "callback"
+        if base == "char":
+            return "text" if const else "buffer"
+        if base in self.header.opaque:
+            return "handle" if p["stars"] == 1 else "new_handle"
+        if base == "pdn_signal" and const:
+            return "several_signals" if p["structs"] else "signal"
+        if base in self.header.structs:
+            kind = "several_structs" if p["structs"] else "struct"
+            return "options" if p["name"] == "options" else f"{new}{kind}"
+        if p["stars"] == 0:
+            return "number"
+        return f"{new}{'array' if const or p['array'] else 'number'}"
