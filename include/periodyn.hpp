@@ -192,7 +192,7 @@ enum class ForceKind : std::int32_t {
     /** Kind of force: forces of the user on a shell element. */
     surface_force = PDN_FORCE_IS_SURFACE_FORCE,
 };
-/** Jointkind: Joint that allows no relative motion. */
+/** JointKind: Joint that allows no relative motion. */
 enum class JointKind : std::int32_t {
     /** Joint that allows no relative motion. */
     rigid = PDN_JOINT_RIGID,
@@ -285,7 +285,7 @@ enum class ShellPlace : std::int32_t {
     /** Place of a load on a shell element: its surface. */
     surface = PDN_SHELL_SURFACE,
 };
-/** Bushingangles: A bushing measures rotations by the rotation vector; its angle stays below half a
+/** BushingAngles: A bushing measures rotations by the rotation vector; its angle stays below half a
  * turn. */
 enum class BushingAngles : std::int32_t {
     /** A bushing measures rotations by the rotation vector; its angle stays below half a turn. */
@@ -408,7 +408,7 @@ enum class Start : std::int32_t {
      * raised in steps; not where these gain whole turns in a period. */
     raised_loads = PDN_START_RAISED_LOADS,
 };
-/** Timemap: Grid points are equispaced, but closer together where a solve to a tolerance finds the
+/** TimeMap: Grid points are equispaced, but closer together where a solve to a tolerance finds the
  * motion sharp. */
 enum class TimeMap : std::int32_t {
     /** Grid points are equispaced, but closer together where a solve to a tolerance finds the
@@ -479,7 +479,7 @@ enum class Number : std::int32_t {
     /** Numbers of a force: relaxation times of the branches of a viscoelastic element. */
     relaxation_time = PDN_NUMBER_RELAXATION_TIME,
 };
-/** Signalof: The signal of an actuator, a force. */
+/** SignalOf: The signal of an actuator, a force. */
 enum class SignalOf : std::int32_t {
     /** The signal of an actuator, a force. */
     actuator = PDN_SIGNAL_OF_ACTUATOR,
@@ -518,7 +518,7 @@ enum class SensitivityMethod : std::int32_t {
      * Jacobian. */
     adjoint = PDN_SENSITIVITY_ADJOINT,
 };
-/** Branchend: A branch ended at an end of the parameter's range. */
+/** BranchEnd: A branch ended at an end of the parameter's range. */
 enum class BranchEnd : std::int32_t {
     /** A branch ended at an end of the parameter's range. */
     range = PDN_BRANCH_RANGE,
@@ -535,7 +535,7 @@ enum class BranchEnd : std::int32_t {
     /** A branch ended with an error, such as that of a callback, which its report tells. */
     failed = PDN_BRANCH_FAILED,
 };
-/** Branchevent: Nothing happens at a point of a branch. */
+/** BranchEvent: Nothing happens at a point of a branch. */
 enum class BranchEvent : std::int32_t {
     /** Nothing happens at a point of a branch. */
     none = PDN_EVENT_NONE,
@@ -764,6 +764,12 @@ template <class T> const typename T::value_type *data_or_null(const T &array)
     return array.size() == 0 ? nullptr : array.data();
 }
 
+/** One less than there are, if there are any. */
+constexpr std::size_t less_one(std::size_t size)
+{
+    return size == 0 ? 0 : size - 1;
+}
+
 /** The same as C has it. */
 template <class Enum> constexpr std::int32_t c(Enum value)
 {
@@ -793,425 +799,88 @@ using Kept = std::vector<std::shared_ptr<const void>>;
 
 } // namespace detail
 
-/** An effort on a joint coordinate, with its derivatives. */
+/** An effort on a joint coordinate, with its derivatives by the coordinate and its rate. */
 struct Effort {
-    /** The effort. */
-    double effort;
-    /** Its derivative by the coordinate. */
-    double by_coordinate;
-    /** Its derivative by the rate. */
-    double by_rate;
+    double effort, by_coordinate, by_rate;
 };
 
-namespace detail
-{
-
-/** A number in an array of the library's of these extents, first the index that runs fastest. */
-template <class T>
-T &entry(T *array, std::initializer_list<std::pair<std::size_t, std::size_t>> extents_and_indices)
-{
-    if (array == nullptr) {
-        throw std::logic_error("periodyn: tangents that are not wanted are asked for");
-    }
-    std::size_t place = 0, stride = 1;
-    for (const auto &[extent, index] : extents_and_indices) {
-        if (index >= extent) {
-            throw std::out_of_range("periodyn: entry " + std::to_string(index) + " of " +
-                                    std::to_string(extent) + " is asked for");
-        }
-        place += stride * index;
-        stride *= extent;
-    }
-    return array[place];
-}
-
-/** C numbers that stand together there. */
-template <std::size_t C>
-std::array<double, C> column(const double *array, std::size_t count, std::size_t number)
-{
-    const double *first = &entry(array, {{C, 0}, {count, number}});
-    std::array<double, C> out;
-    std::copy(first, first + C, out.begin());
-    return out;
-}
-
-} // namespace detail
-
-// WRITTEN BY script/cpp_interface: states
-/** What a user's forces on nodes may depend on. */
-class ForceState
-{
-  public:
-    /** What the library gives a function of the caller. */
-    explicit ForceState(const pdn_force_state &state)
-        : state_(state)
-    {
-    }
-    /** Time, in [0, T) of the period T of the solve, but for the first calls of a solve
-     * (::pdn_user_force_fn). */
-    double time() const
-    {
-        return state_.time;
-    }
-    /** Number of nodes. */
-    std::size_t node_count() const
-    {
-        return state_.node_count;
-    }
-    /** Positions, global coordinates [length]. */
-    Vector3 position(std::size_t node) const
-    {
-        return detail::column<3>(state_.positions, state_.node_count, node);
-    }
-    /** Rotation matrices, column by column; the columns are the nodes' axes in global
-     * coordinates. */
-    Matrix3 rotation(std::size_t node) const
-    {
-        return detail::column<9>(state_.rotations, state_.node_count, node);
-    }
-    /** Velocity and angular velocity of each node relative to the inertial frame, also in a steady
-     * rotation (::pdn_solve_static), along the global axes (PDN_FRAME_SPACE) or the node's own
-     * (PDN_FRAME_MATERIAL). */
-    Vector6 velocity(std::size_t node) const
-    {
-        return detail::column<6>(state_.velocities, state_.node_count, node);
-    }
-
-  private:
-    const pdn_force_state &state_;
-};
-
-/** Where a user's forces go. */
-class ForceValues
-{
-  public:
-    /** What the library gives a function of the caller. */
-    ForceValues(const pdn_force_state &state, pdn_force_values &values)
-        : state_(state), values_(values)
-    {
-    }
-    /** Force on each node and moment about it [force, force * length]. */
-    double &force(std::size_t node, std::size_t component)
-    {
-        return detail::entry(values_.forces, {{6, component}, {state_.node_count, node}});
-    }
-    /** Derivatives of forces by displacements and turns. NULL if tangents are not wanted, or were
-     * said not to be given. */
-    double &by_motion(std::size_t node, std::size_t component, std::size_t of_node,
-        std::size_t of_component)
-    {
-        return detail::entry(values_.by_motion, {{6, component}, {state_.node_count, node},
-            {6, of_component}, {state_.node_count, of_node}});
-    }
-    /** Whether tangents are wanted; otherwise leave them. */
-    bool tangents_wanted() const
-    {
-        return values_.by_motion != nullptr;
-    }
-    /** The same by velocities and angular velocities. */
-    double &by_velocity(std::size_t node, std::size_t component, std::size_t of_node,
-        std::size_t of_component)
-    {
-        return detail::entry(values_.by_velocity, {{6, component}, {state_.node_count, node},
-            {6, of_component}, {state_.node_count, of_node}});
-    }
-
-  private:
-    const pdn_force_state &state_;
-    pdn_force_values &values_;
-};
-
-/** What a user's forces on a shell element may depend on: the points of a quadrature over its
- * surface or an edge. */
-class SurfaceState
-{
-  public:
-    /** What the library gives a function of the caller. */
-    explicit SurfaceState(const pdn_surface_state &state)
-        : state_(state)
-    {
-    }
-    /** Time, in [0, T) of the period T of the solve, but for the first calls of a solve
-     * (::pdn_surface_force_fn). */
-    double time() const
-    {
-        return state_.time;
-    }
-    /** Id of the shell element. */
-    std::int32_t element() const
-    {
-        return state_.element;
-    }
-    /** Number of points. */
-    std::size_t point_count() const
-    {
-        return state_.point_count;
-    }
-    /** Xi and eta of each, from -1 to 1. */
-    std::array<double, 2> place(std::size_t point) const
-    {
-        return detail::column<2>(state_.places, state_.point_count, point);
-    }
-    /** The reference area, or length of an edge, that each stands for: a force is this much of what
-     * the function gives. */
-    double size(std::size_t point) const
-    {
-        return detail::entry(state_.sizes, {{state_.point_count, point}});
-    }
-    /** Positions, global coordinates [length]. */
-    Vector3 position(std::size_t point) const
-    {
-        return detail::column<3>(state_.positions, state_.point_count, point);
-    }
-    /** Rotation matrices, column by column; the columns are the axes of the point in global
-     * coordinates, those of a follower load: on the surface axes 1, 2 and the normal, on an edge 1
-     * along it, 3 along the normal, and 2 = 3 * 1. */
-    Matrix3 rotation(std::size_t point) const
-    {
-        return detail::column<9>(state_.rotations, state_.point_count, point);
-    }
-    /** Velocity and angular velocity of each point relative to the inertial frame, also in a steady
-     * rotation (::pdn_solve_static), along the global axes (PDN_FRAME_SPACE) or the point's own
-     * (PDN_FRAME_MATERIAL). */
-    Vector6 velocity(std::size_t point) const
-    {
-        return detail::column<6>(state_.velocities, state_.point_count, point);
-    }
-
-  private:
-    const pdn_surface_state &state_;
-};
-
-/** Where a user's forces on a shell element go. */
-class SurfaceValues
-{
-  public:
-    /** What the library gives a function of the caller. */
-    SurfaceValues(const pdn_surface_state &state, pdn_surface_values &values)
-        : state_(state), values_(values)
-    {
-    }
-    /** Force at each point and moment about it. */
-    double &force(std::size_t point, std::size_t component)
-    {
-        return detail::entry(values_.forces, {{6, component}, {state_.point_count, point}});
-    }
-    /** Derivatives of the force at a point by displacements and turns of this point. NULL if
-     * tangents are not wanted, or were said not to be given. */
-    double &by_motion(std::size_t point, std::size_t component, std::size_t of_component)
-    {
-        return detail::entry(values_.by_motion, {{6, component}, {6, of_component},
-            {state_.point_count, point}});
-    }
-    /** Whether tangents are wanted; otherwise leave them. */
-    bool tangents_wanted() const
-    {
-        return values_.by_motion != nullptr;
-    }
-    /** The same by velocities and angular velocities. */
-    double &by_velocity(std::size_t point, std::size_t component, std::size_t of_component)
-    {
-        return detail::entry(values_.by_velocity, {{6, component}, {6, of_component},
-            {state_.point_count, point}});
-    }
-
-  private:
-    const pdn_surface_state &state_;
-    pdn_surface_values &values_;
-};
-
-/** What a controller reads. */
-class ControllerState
-{
-  public:
-    /** What the library gives a function of the caller. */
-    explicit ControllerState(const pdn_controller_state &state)
-        : state_(state)
-    {
-    }
-    /** Time, in [0, T) of the period T of the solve, but for the first calls of a solve
-     * (::pdn_controller_fn). */
-    double time() const
-    {
-        return state_.time;
-    }
-    /** Number of coordinates that are read. */
-    std::size_t input_count() const
-    {
-        return state_.input_count;
-    }
-    /** The coordinates, angles with their whole turns [length or radian]. */
-    double input(std::size_t input) const
-    {
-        return detail::entry(state_.inputs, {{state_.input_count, input}});
-    }
-    /** Their rates. */
-    double input_rate(std::size_t input) const
-    {
-        return detail::entry(state_.input_rates, {{state_.input_count, input}});
-    }
-    /** Number of states. */
-    std::size_t state_count() const
-    {
-        return state_.state_count;
-    }
-    /** The states. */
-    double state(std::size_t state) const
-    {
-        return detail::entry(state_.states, {{state_.state_count, state}});
-    }
-
-  private:
-    const pdn_controller_state &state_;
-};
-
-/** Where a controller writes. */
-class ControllerValues
-{
-  public:
-    /** What the library gives a function of the caller. */
-    ControllerValues(const pdn_controller_state &state, pdn_controller_values &values)
-        : state_(state), values_(values)
-    {
-    }
-    /** Number of coordinates that it acts on. */
-    std::size_t output_count() const
-    {
-        return values_.output_count;
-    }
-    /** Efforts on the coordinates that it acts on, towards growth [force on a displacement, force *
-     * length on an angle]. */
-    double &effort(std::size_t output)
-    {
-        return detail::entry(values_.efforts, {{values_.output_count, output}});
-    }
-    /** Rates of the states. */
-    double &state_rate(std::size_t state)
-    {
-        return detail::entry(values_.state_rates, {{state_.state_count, state}});
-    }
-    /** Derivatives by the coordinates. NULL if tangents are not wanted, or were said not to be
-     * given. */
-    double &by_input(std::size_t row, std::size_t input)
-    {
-        return detail::entry(values_.by_inputs, {{values_.output_count + state_.state_count, row},
-            {state_.input_count, input}});
-    }
-    /** Whether tangents are wanted; otherwise leave them. */
-    bool tangents_wanted() const
-    {
-        return values_.by_inputs != nullptr;
-    }
-    /** The same by their rates. */
-    double &by_input_rate(std::size_t row, std::size_t input)
-    {
-        return detail::entry(values_.by_input_rates, {
-            {values_.output_count + state_.state_count, row}, {state_.input_count, input}});
-    }
-    /** Derivatives by the states. */
-    double &by_state(std::size_t row, std::size_t state)
-    {
-        return detail::entry(values_.by_states, {{values_.output_count + state_.state_count, row},
-            {state_.state_count, state}});
-    }
-
-  private:
-    const pdn_controller_state &state_;
-    pdn_controller_values &values_;
-};
-// END
-
-/** @name Told of progress: true to go on, false to cancel. */
-///@{
+/** Told of progress: true to go on, false to cancel. */
 using Progress = std::function<bool(const pdn_progress &)>;
-using BranchProgress = std::function<bool(const pdn_branch_point &, std::int32_t number)>;
-///@}
+/** Told of each point of a branch, and its number; likewise. */
+using BranchProgress = std::function<bool(const pdn_branch_point &, std::int32_t)>;
+
+/** An array of the library's with N indices. */
+template <class T, std::size_t N> class Entries
+{
+  public:
+    /** For each index how many there are, and how far apart. */
+    Entries(T *data, const std::array<std::array<std::size_t, 2>, N> &extents)
+        : data_(data), extents_(extents)
+    {
+    }
+    /** Whether they are wanted, as tangents may not be. */
+    explicit operator bool() const
+    {
+        return data_ != nullptr;
+    }
+    /** An entry; throws std::out_of_range if there is none, std::logic_error if none is wanted. */
+    template <class... Index> T &operator()(Index... index) const
+    {
+        static_assert(sizeof...(index) == N, "an index of each kind");
+        const std::array<std::size_t, N> indices{static_cast<std::size_t>(index)...};
+        if (data_ == nullptr) {
+            throw std::logic_error("Entries: tangents that are not wanted are asked for");
+        }
+        T *entry = data_;
+        for (std::size_t i = 0; i < N; ++i) {
+            if (indices[i] >= extents_[i][0]) {
+                throw std::out_of_range("Entries: index " + std::to_string(indices[i]) +
+                                        " is not below " + std::to_string(extents_[i][0]));
+            }
+            entry += indices[i] * extents_[i][1];
+        }
+        return *entry;
+    }
+
+  private:
+    T *data_;
+    std::array<std::array<std::size_t, 2>, N> extents_;
+};
 
 namespace detail
 {
 
-/** @name Functions of the caller, as the library calls them */
-///@{
-template <class Function>
-std::int32_t signal_fn(double time, double *value, void *function) noexcept
-{
-    return guarded([=] { *value = (*static_cast<Function *>(function))(time); });
-}
-
-template <class Function>
-std::int32_t curve_fn(double fraction, double *position, double *axis_2, void *function) noexcept
-{
-    return guarded([=] {
-        Vector3 point{}, direction{};
-        (*static_cast<Function *>(function))(fraction, point, direction);
-        std::copy(point.begin(), point.end(), position);
-        std::copy(direction.begin(), direction.end(), axis_2);
-    });
-}
-
-template <class Function>
-std::int32_t surface_fn(double u, double v, double *position, void *function) noexcept
-{
-    return guarded([=] {
-        const Vector3 point = (*static_cast<Function *>(function))(u, v);
-        std::copy(point.begin(), point.end(), position);
-    });
-}
-
+/** Whether a law gives derivatives. */
 template <class Law>
 constexpr Tangents tangents_of =
     std::is_convertible_v<std::invoke_result_t<Law &, double, double, double>, Effort>
         ? Tangents::given
         : Tangents::differenced;
 
-template <class Law>
-std::int32_t coordinate_law_fn(double time, double coordinate, double rate, double *effort,
-                               [[maybe_unused]] double *derivatives, void *law) noexcept
+/** @name What functions of the caller return, written to where the library wants it */
+///@{
+inline void write(double value, double *out, const double * /* no derivatives */ = nullptr)
 {
-    return guarded([=] {
-        const auto result = (*static_cast<Law *>(law))(time, coordinate, rate);
-        if constexpr (tangents_of<Law> == Tangents::given) {
-            const Effort &given = result;
-            *effort = given.effort;
-            if (derivatives != nullptr) {
-                derivatives[0] = given.by_coordinate;
-                derivatives[1] = given.by_rate;
-            }
-        } else {
-            *effort = result;
-        }
-    });
+    *out = value;
 }
-
-template <class Function>
-std::int32_t user_force_fn(const pdn_force_state *state, pdn_force_values *values,
-                           void *function) noexcept
+inline void write(const Vector3 &point, double *out)
 {
-    return guarded([=] {
-        ForceValues out(*state, *values);
-        (*static_cast<Function *>(function))(ForceState(*state), out);
-    });
+    std::copy(point.begin(), point.end(), out);
 }
-
-template <class Function>
-std::int32_t surface_force_fn(const pdn_surface_state *state, pdn_surface_values *values,
-                              void *function) noexcept
+inline void write(const std::pair<Vector3, Vector3> &point_and_axis, double *point, double *axis)
 {
-    return guarded([=] {
-        SurfaceValues out(*state, *values);
-        (*static_cast<Function *>(function))(SurfaceState(*state), out);
-    });
+    write(point_and_axis.first, point);
+    write(point_and_axis.second, axis);
 }
-
-template <class Function>
-std::int32_t controller_fn(const pdn_controller_state *state, pdn_controller_values *values,
-                           void *function) noexcept
+inline void write(const Effort &given, double *effort, double *derivatives)
 {
-    return guarded([=] {
-        ControllerValues out(*state, *values);
-        (*static_cast<Function *>(function))(ControllerState(*state), out);
-    });
+    *effort = given.effort;
+    if (derivatives != nullptr) {
+        derivatives[0] = given.by_coordinate;
+        derivatives[1] = given.by_rate;
+    }
 }
+///@}
 
 /** Whether progress cancels, by what it says or throws. */
 template <class Tell> std::int32_t cancelled(Tell tell) noexcept
@@ -1224,19 +893,235 @@ template <class Tell> std::int32_t cancelled(Tell tell) noexcept
     }
 }
 
-inline std::int32_t progress_fn(const pdn_progress *progress, void *function) noexcept
+} // namespace detail
+
+// WRITTEN BY script/cpp_interface: callbacks
+/** What a user's forces on nodes may depend on. */
+struct ForceState {
+    /** As the library made it. */
+    const pdn_force_state &state;
+    /** Time, in [0, T) of the period T of the solve, but for the first calls of a solve
+     * (::pdn_user_force_fn). */
+    const double time = state.time;
+    /** Number of nodes. */
+    const std::size_t node_count = state.node_count;
+    /** Positions, global coordinates [length]. */
+    const Entries<const double, 2> positions{state.positions, {{{state.node_count, 3}, {3, 1}}}};
+    /** Rotation matrices, column by column; the columns are the nodes' axes in global
+     * coordinates. */
+    const Entries<const double, 2> rotations{state.rotations, {{{state.node_count, 9}, {9, 1}}}};
+    /** Velocity and angular velocity of each node relative to the inertial frame, also in a steady
+     * rotation (::pdn_solve_static), along the global axes (PDN_FRAME_SPACE) or the node's own
+     * (PDN_FRAME_MATERIAL). */
+    const Entries<const double, 2> velocities{state.velocities, {{{state.node_count, 6}, {6, 1}}}};
+};
+
+/** Where a user's forces go. */
+struct ForceValues {
+    /** As the library made it. */
+    const pdn_force_state &state;
+    /** The same. */
+    const pdn_force_values &values;
+    /** Force on each node and moment about it [force, force * length]. */
+    const Entries<double, 2> forces{values.forces, {{{state.node_count, 6}, {6, 1}}}};
+    /** Derivatives of forces by displacements and turns. NULL if tangents are not wanted, or were
+     * said not to be given. */
+    const Entries<double, 4> by_motion{values.by_motion, {{{state.node_count, 6}, {6, 1},
+        {state.node_count, 6 * state.node_count * 6}, {6, 6 * state.node_count}}}};
+    /** The same by velocities and angular velocities. */
+    const Entries<double, 4> by_velocity{values.by_velocity, {{{state.node_count, 6}, {6, 1},
+        {state.node_count, 6 * state.node_count * 6}, {6, 6 * state.node_count}}}};
+};
+
+/** What a user's forces on a shell element may depend on: the points of a quadrature over its
+ * surface or an edge. */
+struct SurfaceState {
+    /** As the library made it. */
+    const pdn_surface_state &state;
+    /** Time, in [0, T) of the period T of the solve, but for the first calls of a solve
+     * (::pdn_surface_force_fn). */
+    const double time = state.time;
+    /** Id of the shell element. */
+    const std::int32_t element = state.element;
+    /** Number of points. */
+    const std::size_t point_count = state.point_count;
+    /** Xi and eta of each, from -1 to 1. */
+    const Entries<const double, 2> places{state.places, {{{state.point_count, 2}, {2, 1}}}};
+    /** The reference area, or length of an edge, that each stands for: a force is this much of what
+     * the function gives. */
+    const Entries<const double, 1> sizes{state.sizes, {{{state.point_count, 1}}}};
+    /** Positions, global coordinates [length]. */
+    const Entries<const double, 2> positions{state.positions, {{{state.point_count, 3}, {3, 1}}}};
+    /** Rotation matrices, column by column; the columns are the axes of the point in global
+     * coordinates, those of a follower load: on the surface axes 1, 2 and the normal, on an edge 1
+     * along it, 3 along the normal, and 2 = 3 * 1. */
+    const Entries<const double, 2> rotations{state.rotations, {{{state.point_count, 9}, {9, 1}}}};
+    /** Velocity and angular velocity of each point relative to the inertial frame, also in a steady
+     * rotation (::pdn_solve_static), along the global axes (PDN_FRAME_SPACE) or the point's own
+     * (PDN_FRAME_MATERIAL). */
+    const Entries<const double, 2> velocities{state.velocities, {{{state.point_count, 6},
+        {6, 1}}}};
+};
+
+/** Where a user's forces on a shell element go. */
+struct SurfaceValues {
+    /** As the library made it. */
+    const pdn_surface_state &state;
+    /** The same. */
+    const pdn_surface_values &values;
+    /** Force at each point and moment about it. */
+    const Entries<double, 2> forces{values.forces, {{{state.point_count, 6}, {6, 1}}}};
+    /** Derivatives of the force at a point by displacements and turns of this point. NULL if
+     * tangents are not wanted, or were said not to be given. */
+    const Entries<double, 3> by_motion{values.by_motion, {{{state.point_count, 6 * 6}, {6, 1},
+        {6, 6}}}};
+    /** The same by velocities and angular velocities. */
+    const Entries<double, 3> by_velocity{values.by_velocity, {{{state.point_count, 6 * 6}, {6, 1},
+        {6, 6}}}};
+};
+
+/** What a controller reads. */
+struct ControllerState {
+    /** As the library made it. */
+    const pdn_controller_state &state;
+    /** Time, in [0, T) of the period T of the solve, but for the first calls of a solve
+     * (::pdn_controller_fn). */
+    const double time = state.time;
+    /** Number of coordinates that are read. */
+    const std::size_t input_count = state.input_count;
+    /** The coordinates, angles with their whole turns [length or radian]. */
+    const Entries<const double, 1> inputs{state.inputs, {{{state.input_count, 1}}}};
+    /** Their rates. */
+    const Entries<const double, 1> input_rates{state.input_rates, {{{state.input_count, 1}}}};
+    /** Number of states. */
+    const std::size_t state_count = state.state_count;
+    /** The states. */
+    const Entries<const double, 1> states{state.states, {{{state.state_count, 1}}}};
+};
+
+/** Where a controller writes. */
+struct ControllerValues {
+    /** As the library made it. */
+    const pdn_controller_state &state;
+    /** The same. */
+    const pdn_controller_values &values;
+    /** Number of coordinates that it acts on. */
+    const std::size_t output_count = values.output_count;
+    /** Efforts on the coordinates that it acts on, towards growth [force on a displacement, force *
+     * length on an angle]. */
+    const Entries<double, 1> efforts{values.efforts, {{{values.output_count, 1}}}};
+    /** Rates of the states. */
+    const Entries<double, 1> state_rates{values.state_rates, {{{state.state_count, 1}}}};
+    /** Derivatives by the coordinates. NULL if tangents are not wanted, or were said not to be
+     * given. */
+    const Entries<double, 2> by_inputs{values.by_inputs,
+        {{{values.output_count + state.state_count, 1},
+        {state.input_count, (values.output_count + state.state_count)}}}};
+    /** The same by their rates. */
+    const Entries<double, 2> by_input_rates{values.by_input_rates,
+        {{{values.output_count + state.state_count, 1},
+        {state.input_count, (values.output_count + state.state_count)}}}};
+    /** Derivatives by the states. */
+    const Entries<double, 2> by_states{values.by_states,
+        {{{values.output_count + state.state_count, 1},
+        {state.state_count, (values.output_count + state.state_count)}}}};
+};
+
+namespace detail
 {
-    return cancelled([=] { return (*static_cast<Progress *>(function))(*progress); });
+
+/** A function of time, to be written by the caller. */
+template <class Function>
+std::int32_t signal_fn(double time, double *value, void *function) noexcept
+{
+    return guarded([=] {
+        write((*static_cast<Function *>(function))(time), value);
+    });
 }
 
-inline std::int32_t branch_fn(const pdn_branch_point *point, std::int32_t number,
-                              void *function) noexcept
+/** A smooth curve in space, to be written by the caller. */
+template <class Function>
+std::int32_t curve_fn(double fraction, double *position, double *axis_2, void *function) noexcept
 {
-    return cancelled([=] { return (*static_cast<BranchProgress *>(function))(*point, number); });
+    return guarded([=] {
+        write((*static_cast<Function *>(function))(fraction), position, axis_2);
+    });
 }
-///@}
+
+/** A surface in space, to be written by the caller. */
+template <class Function>
+std::int32_t surface_fn(double u, double v, double *position, void *function) noexcept
+{
+    return guarded([=] {
+        write((*static_cast<Function *>(function))(u, v), position);
+    });
+}
+
+/** A law of effort on a joint coordinate, to be written by the caller. */
+template <class Function>
+std::int32_t coordinate_law_fn(double time, double coordinate, double rate, double *effort,
+    double *derivatives, void *function) noexcept
+{
+    return guarded([=] {
+        write((*static_cast<Function *>(function))(time, coordinate, rate), effort, derivatives);
+    });
+}
+
+/** Forces on nodes, to be computed by the caller. */
+template <class Function>
+std::int32_t user_force_fn(const pdn_force_state *state, pdn_force_values *values,
+    void *function) noexcept
+{
+    return guarded([=] {
+        ForceValues out{*state, *values};
+        (*static_cast<Function *>(function))(ForceState{*state}, out);
+    });
+}
+
+/** A controller, to be written by the caller. */
+template <class Function>
+std::int32_t controller_fn(const pdn_controller_state *state, pdn_controller_values *values,
+    void *function) noexcept
+{
+    return guarded([=] {
+        ControllerValues out{*state, *values};
+        (*static_cast<Function *>(function))(ControllerState{*state}, out);
+    });
+}
+
+/** Forces on shells, to be computed by the caller, such as of a fluid: for all points of one
+ * element at once, each by the motion of this point alone. */
+template <class Function>
+std::int32_t surface_force_fn(const pdn_surface_state *state, pdn_surface_values *values,
+    void *function) noexcept
+{
+    return guarded([=] {
+        SurfaceValues out{*state, *values};
+        (*static_cast<Function *>(function))(SurfaceState{*state}, out);
+    });
+}
+
+/** Called after each Newton iteration, or after each step of a march, and while one lasts about ten
+ * times a second, on the solving thread. */
+template <class Function>
+std::int32_t progress_fn(const pdn_progress *progress, void *function) noexcept
+{
+    return cancelled([=] {
+        return (*static_cast<Function *>(function))(*progress);
+    });
+}
+
+/** Called with each point of a branch, on the thread that follows it; `number` counts from 1. */
+template <class Function>
+std::int32_t branch_fn(const pdn_branch_point *point, std::int32_t number, void *function) noexcept
+{
+    return cancelled([=] {
+        return (*static_cast<Function *>(function))(*point, number);
+    });
+}
 
 } // namespace detail
+// END
 
 /** A scalar function of time. A number, or a function of time, is a signal too. */
 struct Signal : pdn_signal {
@@ -1473,14 +1358,14 @@ struct Stations : pdn_stations {
         : pdn_stations(detail::initialised(pdn_stations_init))
     {
     }
-    /** Array of length [count]: places along the span, from 0 at the start to 1 at the end,
-     * ascending; two stations at the same place make a jump. May be NULL if count is 1. */
+    /** Places along the span, from 0 at the start to 1 at the end, ascending; two stations at the
+     * same place make a jump. May be NULL if count is 1. */
     std::vector<double> fractions;
-    /** Array of length [count]: the sections, each initialised. */
+    /** The sections, each initialised. */
     std::vector<Section> sections;
-    /** Array of length [count]: structural twist, the angles by which axes 2 and 3 of the sections
-     * are turned about axis 1 from those of the line, right-handed, linear between stations
-     * [radian]. NULL for none. It has no jumps. */
+    /** Structural twist, the angles by which axes 2 and 3 of the sections are turned about axis 1
+     * from those of the line, right-handed, linear between stations [radian]. NULL for none. It has
+     * no jumps. */
     std::vector<double> twists;
     /** As the library takes it, valid while this object stays as it is. */
     const pdn_stations *get()
@@ -1525,6 +1410,62 @@ struct Quantity : pdn_quantity {
         detail::check(told);
         return static_cast<std::size_t>(told);
     }
+    /** The component, from 0, or PDN_ALL_COMPONENTS, the default. Of coordinates and driving
+     * efforts, the coordinate: PDN_DISPLACEMENT, ..., PDN_ROTATION_3; of relations which of their
+     * coordinates, from 0. */
+    Quantity with_component(Coordinate value) const
+    {
+        Quantity other(*this);
+        other.component = detail::c(value);
+        return other;
+    }
+    /** PDN_FRAME_SPACE, the default, or PDN_FRAME_MATERIAL; of reactions PDN_FRAME_SPACE,
+     * PDN_FRAME_FIRST or PDN_FRAME_SECOND. */
+    Quantity with_frame(Frame value) const
+    {
+        Quantity other(*this);
+        other.frame = detail::c(value);
+        return other;
+    }
+    /** Of what a force exerts on one of its nodes, the node. */
+    Quantity with_node(std::int32_t value) const
+    {
+        Quantity other(*this);
+        other.node = value;
+        return other;
+    }
+    /** Of viscoelastic elements, the branch, from 0; of controllers, which of the coordinates that
+     * they act on, or which state, from 0. */
+    Quantity with_branch(std::int32_t value) const
+    {
+        Quantity other(*this);
+        other.branch = value;
+        return other;
+    }
+    /** Of beams, the place along the element, from -1 at its first to 1 at its last node; of
+     * shells, xi, from -1 to 1. */
+    Quantity with_station(double value) const
+    {
+        Quantity other(*this);
+        other.station = value;
+        return other;
+    }
+    /** Of shells, eta, from -1 to 1. */
+    Quantity with_station_eta(double value) const
+    {
+        Quantity other(*this);
+        other.station_eta = value;
+        return other;
+    }
+    /** Of shells, a direction in the reference configuration, global coordinates, whose part in the
+     * surface is axis 1. If it is zero, the default, axes are those of the section. They move with
+     * the shell. */
+    Quantity with_direction(const Vector3 &value) const
+    {
+        Quantity other(*this);
+        std::copy(value.begin(), value.end(), other.direction);
+        return other;
+    }
     // END
 
     /** Of a node, joint, beam element, shell element, force or relation. */
@@ -1538,68 +1479,18 @@ struct Quantity : pdn_quantity {
     {
         component = detail::c(coordinate);
     }
-    /** Of a shell, at (xi, eta); a direction of zero stands for the axes of its section. */
-    Quantity(Kind of_kind, std::int32_t shell_element, const std::array<double, 2> &at,
-             const Vector3 &axis_1 = {})
-        : Quantity(of_kind, shell_element)
-    {
-        station = at[0];
-        station_eta = at[1];
-        std::copy(axis_1.begin(), axis_1.end(), direction);
-    }
-    /** Along other axes: of velocities, accelerations, reactions, what a force exerts on a node. */
-    Quantity in(Frame axes) const
-    {
-        Quantity other(*this);
-        other.frame = detail::c(axes);
-        return other;
-    }
-    /** At a place along a beam element, from -1 to 1. */
-    Quantity at(double along) const
-    {
-        Quantity other(*this);
-        other.station = along;
-        return other;
-    }
-    /** On this node: of what a force exerts. */
-    Quantity on(std::int32_t of_node) const
-    {
-        Quantity other(*this);
-        other.node = of_node;
-        return other;
-    }
-    /** Of this branch of a viscoelastic element; of controllers, of this coordinate or state. */
-    Quantity of_branch(std::int32_t which) const
-    {
-        Quantity other(*this);
-        other.branch = which;
-        return other;
-    }
 };
 
 namespace detail
 {
 
-/** What the library keeps of signals: functions, as all else is copied. */
-inline Kept kept(std::initializer_list<const Signal *> signals)
+/** Signals for each component at each place; and these as the library takes them. */
+inline std::vector<const Signal *> all(const std::vector<std::array<Signal, 6>> &places)
 {
-    Kept kept;
-    for (const Signal *signal : signals) {
-        if (signal->kind == PDN_SIGNAL_FUNCTION || signal->kind == PDN_SIGNAL_FUNCTION_OF_PHASE) {
-            kept.push_back(signal->kept);
-        }
-    }
-    return kept;
-}
-
-/** The same of signals for each component at each place; and these as the library takes them. */
-inline Kept kept(const std::vector<std::array<Signal, 6>> &places)
-{
-    Kept all;
+    std::vector<const Signal *> all;
     for (const auto &place : places) {
         for (const Signal &signal : place) {
-            const Kept more = kept({&signal});
-            all.insert(all.end(), more.begin(), more.end());
+            all.push_back(&signal);
         }
     }
     return all;
@@ -1607,8 +1498,8 @@ inline Kept kept(const std::vector<std::array<Signal, 6>> &places)
 inline std::vector<pdn_signal> plain(const std::vector<std::array<Signal, 6>> &places)
 {
     std::vector<pdn_signal> plain;
-    for (const auto &place : places) {
-        plain.insert(plain.end(), place.begin(), place.end());
+    for (const Signal *signal : all(places)) {
+        plain.push_back(*signal);
     }
     return plain;
 }
@@ -1657,11 +1548,16 @@ template <class T, void (*free)(T *)> class Handle
         optional(this, name);
         return text(write);
     }
-    /** A call that takes signals, of which these are kept. */
-    template <class Call> void take(const Kept &more, Call call)
+    /** A call that takes signals: functions among them are kept, as all else is copied. */
+    template <class Call> void take(const std::vector<const Signal *> &signals, Call call)
     {
         const std::size_t before = kept_.size();
-        kept_.insert(kept_.end(), more.begin(), more.end());
+        for (const Signal *signal : signals) {
+            if (signal != nullptr && (signal->kind == PDN_SIGNAL_FUNCTION ||
+                                      signal->kind == PDN_SIGNAL_FUNCTION_OF_PHASE)) {
+                kept_.push_back(signal->kept);
+            }
+        }
         const pdn_status status = call();
         if (status != PDN_OK) {
             kept_.resize(before);
@@ -1742,15 +1638,10 @@ class Conditions : public detail::Handle<pdn_conditions, pdn_conditions_free>
     }
     /** Adds the condition on the phase of a rotation: in the mean over the period and all nodes,
      * the motion is not turned about an axis from that which the solve starts from. */
-    void add_rotation_phase(const Vector3 &axis)
+    void add_rotation_phase(const Vector3 &axis, const std::optional<Vector3> &point = {})
     {
-        detail::check(pdn_conditions_add_rotation_phase(get(), axis.data(), nullptr));
-    }
-    /** Adds the condition on the phase of a rotation: in the mean over the period and all nodes,
-     * the motion is not turned about an axis from that which the solve starts from. */
-    void add_rotation_phase(const Vector3 &axis, const Vector3 &point)
-    {
-        detail::check(pdn_conditions_add_rotation_phase(get(), axis.data(), point.data()));
+        detail::check(pdn_conditions_add_rotation_phase(get(), axis.data(),
+            point ? point->data() : nullptr));
     }
     /** Adds the condition on the phase of a translation: in the mean over the period and all nodes,
      * the motion is not moved in a direction from that which the solve starts from. */
@@ -1784,15 +1675,11 @@ class Conditions : public detail::Handle<pdn_conditions, pdn_conditions_free>
         detail::check(pdn_conditions_add_momentum(get(), direction.data(), momentum));
     }
     /** Adds the condition that the mean angular momentum about an axis is a value. */
-    void add_angular_momentum(const Vector3 &axis, double momentum)
+    void add_angular_momentum(const Vector3 &axis, double momentum,
+        const std::optional<Vector3> &point = {})
     {
-        detail::check(pdn_conditions_add_angular_momentum(get(), axis.data(), nullptr, momentum));
-    }
-    /** Adds the condition that the mean angular momentum about an axis is a value. */
-    void add_angular_momentum(const Vector3 &axis, double momentum, const Vector3 &point)
-    {
-        detail::check(pdn_conditions_add_angular_momentum(get(), axis.data(), point.data(),
-            momentum));
+        detail::check(pdn_conditions_add_angular_momentum(get(), axis.data(),
+            point ? point->data() : nullptr, momentum));
     }
 };
 
@@ -2122,17 +2009,11 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         return frame;
     }
     /** Adds a node: a frame that moves. */
-    std::int32_t add_node(const Vector3 &position)
+    std::int32_t add_node(const Vector3 &position, const std::optional<Matrix3> &rotation = {})
     {
         std::int32_t node = 0;
-        detail::check(pdn_model_add_node(get(), position.data(), nullptr, &node));
-        return node;
-    }
-    /** Adds a node: a frame that moves. */
-    std::int32_t add_node(const Vector3 &position, const Matrix3 &rotation_)
-    {
-        std::int32_t node = 0;
-        detail::check(pdn_model_add_node(get(), position.data(), rotation_.data(), &node));
+        detail::check(pdn_model_add_node(get(), position.data(),
+            rotation ? rotation->data() : nullptr, &node));
         return node;
     }
     /** Adds a rigid body: a node at its centre of mass, with axes parallel to the global ones. */
@@ -2143,39 +2024,28 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         return node;
     }
     /** Fixes a mass to a node, in addition to what the node has. */
-    std::int32_t add_mass(std::int32_t node, double mass, const Vector3 &centre)
-    {
-        std::int32_t id = 0;
-        detail::check(pdn_model_add_mass(get(), node, mass, centre.data(), nullptr, &id));
-        return id;
-    }
-    /** Fixes a mass to a node, in addition to what the node has. */
     std::int32_t add_mass(std::int32_t node, double mass, const Vector3 &centre,
-        const Matrix3 &inertia)
+        const std::optional<Matrix3> &inertia = {})
     {
         std::int32_t id = 0;
-        detail::check(pdn_model_add_mass(get(), node, mass, centre.data(), inertia.data(), &id));
+        detail::check(pdn_model_add_mass(get(), node, mass, centre.data(),
+            inertia ? inertia->data() : nullptr, &id));
         return id;
     }
     /** Fixes an inertia of any kind to a node, in addition to what the node has. */
-    std::int32_t add_inertia(std::int32_t node, const Matrix6 &matrix)
+    std::int32_t add_inertia(std::int32_t node, const Matrix6 &matrix,
+        const std::optional<pdn_frame> &frame = {})
     {
         std::int32_t id = 0;
-        detail::check(pdn_model_add_inertia(get(), node, nullptr, matrix.data(), &id));
-        return id;
-    }
-    /** Fixes an inertia of any kind to a node, in addition to what the node has. */
-    std::int32_t add_inertia(std::int32_t node, const Matrix6 &matrix, const pdn_frame &frame)
-    {
-        std::int32_t id = 0;
-        detail::check(pdn_model_add_inertia(get(), node, &frame, matrix.data(), &id));
+        detail::check(pdn_model_add_inertia(get(), node, frame ? &*frame : nullptr, matrix.data(),
+            &id));
         return id;
     }
     /** Makes a joint coordinate follow a signal. */
     std::int32_t prescribe(std::int32_t joint, Coordinate coordinate, const Signal &signal)
     {
         std::int32_t prescribed = 0;
-        take(detail::kept({&signal}), [&] {
+        take({&signal}, [&] {
             return pdn_model_prescribe(get(), joint, detail::c(coordinate), &signal, &prescribed);
         });
         return prescribed;
@@ -2291,36 +2161,25 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         return count;
     }
     /** Adds a linear relation between joint coordinates: gears, belts, racks, differentials. */
-    std::int32_t add_relation(Ids joints, View<Coordinate> coordinates, Reals coefficients)
-    {
-        const std::size_t count = detail::common({{"joints", joints.size()},
-            {"coordinates", coordinates.size()}, {"coefficients", coefficients.size()}}, false);
-        const auto coordinates_in_c = detail::codes(coordinates);
-        std::int32_t relation = 0;
-        detail::check(pdn_model_add_relation(get(), joints.data(), coordinates_in_c.data(),
-            coefficients.data(), count, nullptr, &relation));
-        return relation;
-    }
-    /** Adds a linear relation between joint coordinates: gears, belts, racks, differentials. */
     std::int32_t add_relation(Ids joints, View<Coordinate> coordinates, Reals coefficients,
-        const Signal &signal)
+        const std::optional<Signal> &signal = {})
     {
         const std::size_t count = detail::common({{"joints", joints.size()},
             {"coordinates", coordinates.size()}, {"coefficients", coefficients.size()}}, false);
         const auto coordinates_in_c = detail::codes(coordinates);
         std::int32_t relation = 0;
-        take(detail::kept({&signal}), [&] {
+        take({signal ? &*signal : nullptr}, [&] {
             return pdn_model_add_relation(get(), joints.data(), coordinates_in_c.data(),
-                coefficients.data(), count, &signal, &relation);
+            coefficients.data(), count, signal ? &*signal : nullptr, &relation);
         });
         return relation;
     }
     /** Adds a beam element over nodes that are there; it may be curved and twisted. */
     std::int32_t add_beam_element(Ids nodes, const Section &section)
     {
+        const std::size_t count = nodes.size();
         std::int32_t element = 0;
-        detail::check(pdn_model_add_beam_element(get(), nodes.data(), nodes.size(), &section,
-            &element));
+        detail::check(pdn_model_add_beam_element(get(), nodes.data(), count, &section, &element));
         return element;
     }
     /** Adds a straight beam: its nodes and elements. */
@@ -2345,9 +2204,10 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     pdn_beam add_beam_between(const Line &line, Stations stations, Reals boundaries,
         std::size_t degree)
     {
+        const std::size_t elements = detail::less_one(boundaries.size());
         pdn_beam beam{};
         detail::check(pdn_model_add_beam_between(get(), &line, stations.get(), boundaries.data(),
-            (boundaries.size() == 0 ? 0 : boundaries.size() - 1), degree, &beam));
+            elements, degree, &beam));
         return beam;
     }
     /** Adds one component of a force or moment on a node, in addition to those that are there. */
@@ -2355,9 +2215,9 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         const Signal &signal)
     {
         std::int32_t load = 0;
-        take(detail::kept({&signal}), [&] {
+        take({&signal}, [&] {
             return pdn_model_add_load(get(), node, detail::c(frame), detail::c(component), &signal,
-                &load);
+            &load);
         });
         return load;
     }
@@ -2367,12 +2227,17 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         detail::check(pdn_model_set_gravity(get(), acceleration.data()));
     }
     /** Sets an acceleration of gravity that varies in time, in place of any set before. */
-    void set_gravity_signals(const Signal &acceleration_1, const Signal &acceleration_2,
-        const Signal &acceleration_3)
+    void set_gravity_signals(const std::optional<Signal> &acceleration_1 = {},
+        const std::optional<Signal> &acceleration_2 = {},
+        const std::optional<Signal> &acceleration_3 = {})
     {
-        take(detail::kept({&acceleration_1, &acceleration_2, &acceleration_3}), [&] {
-            return pdn_model_set_gravity_signals(get(), &acceleration_1, &acceleration_2,
-                &acceleration_3);
+        take({acceleration_1 ? &*acceleration_1 : nullptr,
+            acceleration_2 ? &*acceleration_2 : nullptr,
+            acceleration_3 ? &*acceleration_3 : nullptr}, [&] {
+            return pdn_model_set_gravity_signals(get(),
+            acceleration_1 ? &*acceleration_1 : nullptr,
+            acceleration_2 ? &*acceleration_2 : nullptr,
+            acceleration_3 ? &*acceleration_3 : nullptr);
         });
     }
     /** Adds one component of a force or moment distributed along beam elements, in addition to
@@ -2384,10 +2249,10 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         const std::size_t count = detail::common({{"fractions", fractions.size()},
             {"factors", factors.size()}}, true);
         std::int32_t load = 0;
-        take(detail::kept({&signal}), [&] {
+        take({&signal}, [&] {
             return pdn_model_add_distributed_load(get(), first_element, elements, detail::c(frame),
-                detail::c(component), &signal, detail::data_or_null(fractions),
-                detail::data_or_null(factors), count, &load);
+            detail::c(component), &signal, detail::data_or_null(fractions),
+            detail::data_or_null(factors), count, &load);
         });
         return load;
     }
@@ -2395,47 +2260,28 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
      * once, in addition to those that are there: such as the air loads of a blade, at the places
      * where these are computed. */
     std::int32_t add_load_at_places(std::int32_t first_element, std::int32_t elements, Frame frame,
-        Reals fractions, const std::vector<std::array<Signal, 6>> &signals)
+        Reals fractions, const std::vector<std::array<Signal, 6>> &signals,
+        const std::optional<Vector3> &axis_2 = {})
     {
         const std::size_t count = detail::common({{"fractions", fractions.size()},
             {"signals", signals.size()}}, false);
         const std::vector<pdn_signal> plain = detail::plain(signals);
         std::int32_t first_load_ = 0;
-        take(detail::kept(signals), [&] {
+        take(detail::all(signals), [&] {
             return pdn_model_add_load_at_places(get(), first_element, elements, detail::c(frame),
-                nullptr, fractions.data(), plain.data(), count, &first_load_);
-        });
-        return first_load_;
-    }
-    /** Adds a force and moment distributed along beam elements, all components at all places at
-     * once, in addition to those that are there: such as the air loads of a blade, at the places
-     * where these are computed. */
-    std::int32_t add_load_at_places(std::int32_t first_element, std::int32_t elements, Frame frame,
-        Reals fractions, const std::vector<std::array<Signal, 6>> &signals, const Vector3 &axis_2)
-    {
-        const std::size_t count = detail::common({{"fractions", fractions.size()},
-            {"signals", signals.size()}}, false);
-        const std::vector<pdn_signal> plain = detail::plain(signals);
-        std::int32_t first_load_ = 0;
-        take(detail::kept(signals), [&] {
-            return pdn_model_add_load_at_places(get(), first_element, elements, detail::c(frame),
-                axis_2.data(), fractions.data(), plain.data(), count, &first_load_);
+            axis_2 ? axis_2->data() : nullptr, fractions.data(), plain.data(), count,
+            &first_load_);
         });
         return first_load_;
     }
     /** Describes everything in a frame that turns about a fixed axis at a constant rate, in place
      * of any set before: motions that repeat themselves but for a turn in each period are periodic
      * there. */
-    void set_turning_frame(const Vector3 &axis, double rate)
+    void set_turning_frame(const Vector3 &axis, double rate,
+        const std::optional<Vector3> &point = {})
     {
-        detail::check(pdn_model_set_turning_frame(get(), axis.data(), rate, nullptr));
-    }
-    /** Describes everything in a frame that turns about a fixed axis at a constant rate, in place
-     * of any set before: motions that repeat themselves but for a turn in each period are periodic
-     * there. */
-    void set_turning_frame(const Vector3 &axis, double rate, const Vector3 &point)
-    {
-        detail::check(pdn_model_set_turning_frame(get(), axis.data(), rate, point.data()));
+        detail::check(pdn_model_set_turning_frame(get(), axis.data(), rate,
+            point ? point->data() : nullptr));
     }
     /** The frame that a model is described in, if it turns. */
     ModelTurningFrame turning_frame() const
@@ -2449,19 +2295,13 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     /** Says that the blades of a rotor are alike, in place of what was said before: periodic
      * solves, also under conditions, then solve for one blade, the hub and the supports, and the
      * others follow. */
-    void set_rotor_symmetry(const Vector3 &axis, std::int32_t blades, Ids nodes, Ids hub)
-    {
-        detail::check(pdn_model_set_rotor_symmetry(get(), axis.data(), blades, nodes.data(),
-            nodes.size(), hub.data(), hub.size(), nullptr));
-    }
-    /** Says that the blades of a rotor are alike, in place of what was said before: periodic
-     * solves, also under conditions, then solve for one blade, the hub and the supports, and the
-     * others follow. */
     void set_rotor_symmetry(const Vector3 &axis, std::int32_t blades, Ids nodes, Ids hub,
-        const Vector3 &point)
+        const std::optional<Vector3> &point = {})
     {
-        detail::check(pdn_model_set_rotor_symmetry(get(), axis.data(), blades, nodes.data(),
-            nodes.size(), hub.data(), hub.size(), point.data()));
+        const std::size_t count = nodes.size();
+        const std::size_t hub_count = hub.size();
+        detail::check(pdn_model_set_rotor_symmetry(get(), axis.data(), blades, nodes.data(), count,
+            hub.data(), hub_count, point ? point->data() : nullptr));
     }
     /** The rotor whose blades were said to be alike. */
     ModelRotorSymmetry rotor_symmetry() const
@@ -2486,9 +2326,10 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     std::int32_t add_shell_element(Ids nodes, std::size_t n_xi, const ShellSection &section,
         ShellPlacement placement = {})
     {
+        const std::size_t count = nodes.size();
         std::int32_t element = 0;
-        detail::check(pdn_model_add_shell_element(get(), nodes.data(), nodes.size(), n_xi,
-            &section, placement.get(), &element));
+        detail::check(pdn_model_add_shell_element(get(), nodes.data(), count, n_xi, &section,
+            placement.get(), &element));
         return element;
     }
     /** Adds a shell over a surface, with elements in equal parts of u and v: its nodes and
@@ -2508,10 +2349,10 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         std::size_t elements_v, std::size_t degree_u, std::size_t degree_v,
         const ShellSection &section, bool join = true, ShellPlacement placement = {})
     {
+        const std::size_t count = points.size();
         pdn_shell shell{};
-        detail::check(pdn_model_add_shell_grid(get(), detail::flat(points), points.size(),
-            elements_u, elements_v, degree_u, degree_v, join ? 1 : 0, &section, placement.get(),
-            &shell));
+        detail::check(pdn_model_add_shell_grid(get(), detail::flat(points), count, elements_u,
+            elements_v, degree_u, degree_v, join ? 1 : 0, &section, placement.get(), &shell));
         return shell;
     }
     /** Adds a shell element for each cell of a mesh of quadrilaterals, as mesh generators make
@@ -2520,10 +2361,12 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         std::size_t points_of_cell, std::size_t degree, const ShellSection &section,
         ShellPlacement placement = {})
     {
+        const std::size_t point_count = points.size();
+        const std::size_t count = cells.size();
         std::int32_t first_element = 0;
-        detail::check(pdn_model_add_shell_quadrilaterals(get(), detail::flat(points),
-            points.size(), cells.data(), cells.size(), points_of_cell, degree, &section,
-            placement.get(), &first_element));
+        detail::check(pdn_model_add_shell_quadrilaterals(get(), detail::flat(points), point_count,
+            cells.data(), count, points_of_cell, degree, &section, placement.get(),
+            &first_element));
         return first_element;
     }
     /** Node of a shell over a surface or a grid. */
@@ -2553,9 +2396,9 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         ShellPlace place, Frame frame, Component component, const Signal &signal)
     {
         std::int32_t load = 0;
-        take(detail::kept({&signal}), [&] {
+        take({&signal}, [&] {
             return pdn_model_add_shell_load(get(), first_element, elements, detail::c(place),
-                detail::c(frame), detail::c(component), &signal, &load);
+            detail::c(frame), detail::c(component), &signal, &load);
         });
         return load;
     }
@@ -2571,10 +2414,11 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
      * the nodes along an edge of a shell, which then moves as a part of the body. */
     ModelRigidJoints add_rigid_joints(std::int32_t body, Ids nodes)
     {
+        const std::size_t count = nodes.size();
         std::int32_t first_joint_ = 0;
         std::int32_t joints = 0;
-        detail::check(pdn_model_add_rigid_joints(get(), body, nodes.data(), nodes.size(),
-            &first_joint_, &joints));
+        detail::check(pdn_model_add_rigid_joints(get(), body, nodes.data(), count, &first_joint_,
+            &joints));
         return {first_joint_, joints};
     }
     /** Fixes a whole edge of a shell over a surface or a grid to a body:
@@ -2610,10 +2454,12 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     std::int32_t add_nonlinear_spring_damper(std::int32_t joint, Coordinate coordinate,
         Reals stiffness = {}, Reals damping = {}, double rest = 0.0)
     {
+        const std::size_t stiffness_count = stiffness.size();
+        const std::size_t damping_count = damping.size();
         std::int32_t force = 0;
         detail::check(pdn_model_add_nonlinear_spring_damper(get(), joint, detail::c(coordinate),
-            detail::data_or_null(stiffness), stiffness.size(), detail::data_or_null(damping),
-            damping.size(), rest, &force));
+            detail::data_or_null(stiffness), stiffness_count, detail::data_or_null(damping),
+            damping_count, rest, &force));
         return force;
     }
     /** Adds an actuator: a force on a displacement, or a torque on an angle, that follows a
@@ -2621,7 +2467,7 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     std::int32_t add_actuator(std::int32_t joint, Coordinate coordinate, const Signal &signal)
     {
         std::int32_t force = 0;
-        take(detail::kept({&signal}), [&] {
+        take({&signal}, [&] {
             return pdn_model_add_actuator(get(), joint, detail::c(coordinate), &signal, &force);
         });
         return force;
@@ -2638,20 +2484,12 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         return force;
     }
     /** Adds a viscous damper between two bodies, with a full matrix of coefficients. */
-    std::int32_t add_viscous_damper(std::int32_t first, std::int32_t second, const Matrix6 &matrix)
-    {
-        std::int32_t force = 0;
-        detail::check(pdn_model_add_viscous_damper(get(), first, second, nullptr, matrix.data(),
-            &force));
-        return force;
-    }
-    /** Adds a viscous damper between two bodies, with a full matrix of coefficients. */
     std::int32_t add_viscous_damper(std::int32_t first, std::int32_t second, const Matrix6 &matrix,
-        const pdn_frame &frame)
+        const std::optional<pdn_frame> &frame = {})
     {
         std::int32_t force = 0;
-        detail::check(pdn_model_add_viscous_damper(get(), first, second, &frame, matrix.data(),
-            &force));
+        detail::check(pdn_model_add_viscous_damper(get(), first, second, frame ? &*frame : nullptr,
+            matrix.data(), &force));
         return force;
     }
     /** Adds a bushing, a bearing or a seal: any matrices of stiffness and damping between two
@@ -2672,8 +2510,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         std::int32_t force = 0;
         detail::hand_over(std::move(function), [&](void *owned, pdn_destroy_fn destroy) {
             return pdn_model_add_coordinate_law(get(), joint, detail::c(coordinate),
-                detail::c(detail::tangents_of<Function>), &detail::coordinate_law_fn<Function>,
-                owned, destroy, &force);
+            detail::c(detail::tangents_of<Function>), &detail::coordinate_law_fn<Function>, owned,
+            destroy, &force);
         });
         return force;
     }
@@ -2681,10 +2519,11 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     template <class Function>
     std::int32_t add_user_force(Ids nodes, Frame frame, Tangents tangents, Function function)
     {
+        const std::size_t count = nodes.size();
         std::int32_t force = 0;
         detail::hand_over(std::move(function), [&](void *owned, pdn_destroy_fn destroy) {
-            return pdn_model_add_user_force(get(), nodes.data(), nodes.size(), detail::c(frame),
-                detail::c(tangents), &detail::user_force_fn<Function>, owned, destroy, &force);
+            return pdn_model_add_user_force(get(), nodes.data(), count, detail::c(frame),
+            detail::c(tangents), &detail::user_force_fn<Function>, owned, destroy, &force);
         });
         return force;
     }
@@ -2713,10 +2552,10 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         std::int32_t force = 0;
         detail::hand_over(std::move(function), [&](void *owned, pdn_destroy_fn destroy) {
             return pdn_model_add_controller(get(), detail::data_or_null(input_joints),
-                detail::data_or_null(input_coordinates_in_c), input_count, output_joints.data(),
-                output_coordinates_in_c.data(), output_count, detail::data_or_null(initial),
-                detail::data_or_null(sizes), state_count, detail::c(tangents),
-                &detail::controller_fn<Function>, owned, destroy, &force);
+            detail::data_or_null(input_coordinates_in_c), input_count, output_joints.data(),
+            output_coordinates_in_c.data(), output_count, detail::data_or_null(initial),
+            detail::data_or_null(sizes), state_count, detail::c(tangents),
+            &detail::controller_fn<Function>, owned, destroy, &force);
         });
         return force;
     }
@@ -2727,7 +2566,7 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     {
         detail::hand_over(std::move(function), [&](void *owned, pdn_destroy_fn destroy) {
             return pdn_model_bind_controller(get(), force, detail::c(tangents),
-                &detail::controller_fn<Function>, owned, destroy);
+            &detail::controller_fn<Function>, owned, destroy);
         });
     }
     /** Numbers of the coordinates that a controller reads, of those that it acts on, and of its
@@ -2766,8 +2605,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         std::int32_t first_force_ = 0;
         detail::hand_over(std::move(function), [&](void *owned, pdn_destroy_fn destroy) {
             return pdn_model_add_surface_force(get(), first_element, elements, detail::c(place),
-                detail::c(frame), detail::c(tangents), &detail::surface_force_fn<Function>, owned,
-                destroy, &first_force_);
+            detail::c(frame), detail::c(tangents), &detail::surface_force_fn<Function>, owned,
+            destroy, &first_force_);
         });
         return first_force_;
     }
@@ -2965,9 +2804,10 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     std::vector<double> sample_signal(SignalOf place, std::int32_t id, std::int32_t component,
         double period, Reals times) const
     {
-        std::vector<double> values(times.size());
+        const std::size_t count = times.size();
+        std::vector<double> values(count);
         detail::check(pdn_model_sample_signal(get(), detail::c(place), id, component, period,
-            times.data(), times.size(), values.data()));
+            times.data(), count, values.data()));
         return values;
     }
     /** Number of loads on nodes; their ids follow each other from PDN_FIRST_LOAD on. */
@@ -3047,7 +2887,7 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
      * fit each other. */
     std::string describe() const
     {
-        summary(); // throws if there is nothing to describe
+        summary();
         return text_of("model", [&](char *buffer, std::size_t capacity) {
             return pdn_model_describe(get(), buffer, capacity);
         });
@@ -3221,9 +3061,9 @@ class Solution : public detail::Handle<pdn_solution, pdn_solution_free>
     /** A quantity of a solution at any times. */
     std::vector<double> sample(const Quantity &quantity, Reals times) const
     {
-        std::vector<double> out(quantity.components() * times.size());
-        detail::check(pdn_solution_sample(get(), &quantity, times.data(), times.size(),
-            out.data()));
+        const std::size_t count = times.size();
+        std::vector<double> out(quantity.components() * count);
+        detail::check(pdn_solution_sample(get(), &quantity, times.data(), count, out.data()));
         return out;
     }
     /** The same of a quantity of C components: an array for each. */
@@ -3327,7 +3167,8 @@ class Solution : public detail::Handle<pdn_solution, pdn_solution_free>
      * them. */
     void write_vtk(Reals times, std::size_t points_per_element, const std::string &path) const
     {
-        detail::check(pdn_solution_write_vtk(get(), times.data(), times.size(), points_per_element,
+        const std::size_t count = times.size();
+        detail::check(pdn_solution_write_vtk(get(), times.data(), count, points_per_element,
             path.c_str()));
     }
     /** Saves a solution with its model, whether it has converged or not. */
@@ -3368,7 +3209,7 @@ struct StabilityOptions : pdn_stability_options {
     /** As the library takes it, valid while this object stays as it is. */
     const pdn_stability_options *get()
     {
-        pdn_stability_options::progress = progress ? &detail::progress_fn : nullptr;
+        pdn_stability_options::progress = progress ? &detail::progress_fn<Progress> : nullptr;
         pdn_stability_options::progress_data = &progress;
         return this;
     }
@@ -3436,8 +3277,9 @@ class Branch : public detail::Handle<pdn_branch, pdn_branch_free>
      * largest value over the period. */
     void write_csv(const std::string &path, const std::vector<Quantity> &quantities = {}) const
     {
+        const std::size_t count = quantities.size();
         const std::vector<pdn_quantity> plain(quantities.begin(), quantities.end());
-        detail::check(pdn_branch_write_csv(get(), plain.data(), quantities.size(), path.c_str()));
+        detail::check(pdn_branch_write_csv(get(), plain.data(), count, path.c_str()));
     }
     /** Writes a chart of the exponents of small disturbances along a branch as CSV, as of Campbell:
      * of each point that is no event a line for each multiplier, but for conjugates and for those
@@ -3445,8 +3287,9 @@ class Branch : public detail::Handle<pdn_branch, pdn_branch_free>
     void write_campbell(const std::string &path, Ids blades = {},
         StabilityOptions options = {}) const
     {
+        const std::size_t count = blades.size();
         detail::check(pdn_branch_write_campbell(get(), options.get(), detail::data_or_null(blades),
-            blades.size(), path.c_str()));
+            count, path.c_str()));
     }
 };
 
@@ -3527,7 +3370,7 @@ class Equations : public detail::Handle<pdn_equations, pdn_equations_free>
     /** Nodes of this rank, in the order of its vectors. */
     std::vector<std::int32_t> nodes() const
     {
-        const std::size_t count = static_cast<std::size_t>(sizes().nodes);
+        const std::size_t count = sizes().nodes;
         std::vector<std::int32_t> out(count);
         detail::check(pdn_equations_nodes(get(), out.data(), count));
         return out;
@@ -3536,7 +3379,7 @@ class Equations : public detail::Handle<pdn_equations, pdn_equations_free>
      * has them in, from 0. */
     std::vector<std::size_t> numbers() const
     {
-        const std::size_t count = static_cast<std::size_t>(sizes().size);
+        const std::size_t count = sizes().size;
         std::vector<std::size_t> out(count);
         detail::check(pdn_equations_numbers(get(), out.data(), count));
         return out;
@@ -3544,8 +3387,8 @@ class Equations : public detail::Handle<pdn_equations, pdn_equations_free>
     /** The present motions of this rank's nodes, and own unknowns of its elements. */
     EquationsState state() const
     {
-        const std::size_t motion_count = static_cast<std::size_t>(sizes().motions);
-        const std::size_t own_count = static_cast<std::size_t>(sizes().own_unknowns);
+        const std::size_t motion_count = sizes().motions;
+        const std::size_t own_count = sizes().own_unknowns;
         std::vector<double> motions(motion_count);
         std::vector<double> own_unknowns(own_count);
         detail::check(pdn_equations_state(get(), motions.data(), motion_count, own_unknowns.data(),
@@ -3555,13 +3398,15 @@ class Equations : public detail::Handle<pdn_equations, pdn_equations_free>
     /** Sets motions and own unknowns, as ::pdn_equations_state gives them. */
     void set_state(Reals motions, Reals own_unknowns)
     {
-        detail::check(pdn_equations_set_state(get(), motions.data(), motions.size(),
-            own_unknowns.data(), own_unknowns.size()));
+        const std::size_t motion_count = sizes().motions;
+        const std::size_t own_count = sizes().own_unknowns;
+        detail::check(pdn_equations_set_state(get(), motions.data(), motion_count,
+            own_unknowns.data(), own_count));
     }
     /** The scaled residual at the present state. */
     std::vector<double> residual()
     {
-        const std::size_t count = static_cast<std::size_t>(sizes().size);
+        const std::size_t count = sizes().size;
         std::vector<double> out(count);
         detail::check(pdn_equations_residual(get(), out.data(), count));
         return out;
@@ -3575,62 +3420,69 @@ class Equations : public detail::Handle<pdn_equations, pdn_equations_free>
     /** The product of the scaled Jacobian of the last linearisation and a vector. */
     std::vector<double> product(Reals x)
     {
-        std::vector<double> out(x.size());
-        detail::check(pdn_equations_product(get(), x.data(), out.data(), x.size()));
+        const std::size_t count = sizes().size;
+        std::vector<double> out(count);
+        detail::check(pdn_equations_product(get(), x.data(), out.data(), count));
         return out;
     }
     /** The product of the transposed scaled Jacobian and a vector. */
     std::vector<double> transposed_product(Reals x)
     {
-        std::vector<double> out(x.size());
-        detail::check(pdn_equations_transposed_product(get(), x.data(), out.data(), x.size()));
+        const std::size_t count = sizes().size;
+        std::vector<double> out(count);
+        detail::check(pdn_equations_transposed_product(get(), x.data(), out.data(), count));
         return out;
     }
     /** The product of a vector and what multiplies a power of mu in the scaled Jacobian for
      * disturbances exp(mu t) times increments of the period: J(mu) = J + mu J1 + mu^2 J2. */
     std::vector<double> power_product(std::int32_t power, Reals x)
     {
-        std::vector<double> out(x.size());
-        detail::check(pdn_equations_power_product(get(), power, x.data(), out.data(), x.size()));
+        const std::size_t count = sizes().size;
+        std::vector<double> out(count);
+        detail::check(pdn_equations_power_product(get(), power, x.data(), out.data(), count));
         return out;
     }
     /** Factors the preconditioner of the linearised equations. */
     bool factor(Reals right_side)
     {
+        const std::size_t count = sizes().size;
         std::int32_t regular = 0;
-        detail::check(pdn_equations_factor(get(), right_side.data(), right_side.size(), &regular));
+        detail::check(pdn_equations_factor(get(), right_side.data(), count, &regular));
         return regular != 0;
     }
     /** The solution of the preconditioner's equations with a right side. */
     std::vector<double> precondition(Reals x)
     {
-        std::vector<double> out(x.size());
-        detail::check(pdn_equations_precondition(get(), x.data(), out.data(), x.size()));
+        const std::size_t count = sizes().size;
+        std::vector<double> out(count);
+        detail::check(pdn_equations_precondition(get(), x.data(), out.data(), count));
         return out;
     }
     /** What a scaled increment leaves of the constraints by their compliance in the Jacobian, where
      * some depend on others. */
     EquationsCompliance compliance(Reals increment)
     {
-        std::vector<double> out(increment.size());
+        const std::size_t count = sizes().size;
+        std::vector<double> out(count);
         std::int32_t compliant = 0;
-        detail::check(pdn_equations_compliance(get(), increment.data(), out.data(),
-            increment.size(), &compliant));
+        detail::check(pdn_equations_compliance(get(), increment.data(), out.data(), count,
+            &compliant));
         return {std::move(out), compliant != 0};
     }
     /** Moves the state that the equations were linearised at last by a fraction of a scaled
      * increment; the present state is then that. */
     void update(Reals increment, double step = 1.0)
     {
-        detail::check(pdn_equations_update(get(), increment.data(), increment.size(), step));
+        const std::size_t count = sizes().size;
+        detail::check(pdn_equations_update(get(), increment.data(), count, step));
     }
     /** Sizes of a scaled increment of all ranks, the same on all. */
     EquationsNorms norms(Reals increment) const
     {
+        const std::size_t count = sizes().size;
         double motion = 0;
         double own_unknown = 0;
-        detail::check(pdn_equations_norms(get(), increment.data(), increment.size(), &motion,
-            &own_unknown));
+        detail::check(pdn_equations_norms(get(), increment.data(), count, &motion, &own_unknown));
         return {motion, own_unknown};
     }
     /** The present state of all ranks as a solution, for results, files, and what else solutions
@@ -3703,9 +3555,10 @@ class Modes : public detail::Handle<pdn_modes, pdn_modes_free>
     /** Shape x of a mode at some nodes. */
     ModesShape shape(std::int32_t mode, Ids nodes) const
     {
-        Series<6> real(nodes.size());
-        Series<6> imaginary(nodes.size());
-        detail::check(pdn_modes_shape(get(), mode, nodes.data(), nodes.size(), detail::flat(real),
+        const std::size_t count = nodes.size();
+        Series<6> real(count);
+        Series<6> imaginary(count);
+        detail::check(pdn_modes_shape(get(), mode, nodes.data(), count, detail::flat(real),
             detail::flat(imaginary)));
         return {std::move(real), std::move(imaginary)};
     }
@@ -3745,15 +3598,17 @@ class Table : public detail::Handle<pdn_table, pdn_table_free>
     explicit Table(Reals times) : Handle(nullptr)
     {
         detail::check(pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR));
+        const std::size_t count = times.size();
         pdn_table *out = nullptr;
-        const pdn_status status = pdn_table_new(times.data(), times.size(), &out);
+        const pdn_status status = pdn_table_new(times.data(), count, &out);
         own(out);
         detail::check(status);
     }
     /** Adds a column of values of your own, such as one computed from several quantities. */
     void add_values(const std::string &label, Reals values)
     {
-        detail::check(pdn_table_add_values(get(), label.c_str(), values.data(), values.size()));
+        const std::size_t count = values.size();
+        detail::check(pdn_table_add_values(get(), label.c_str(), values.data(), count));
     }
     /** Writes a table as a CSV file: a line of names, then a line for each time. */
     void write_csv(const std::string &path) const
@@ -3810,7 +3665,7 @@ struct PeriodicOptions : pdn_periodic_options {
             harmonics != 0 ? 2 * harmonics + 1 : grid_points, "guess_positions");
         pdn_periodic_options::guess_rotations = detail::flat(guess_rotations, nodes,
             harmonics != 0 ? 2 * harmonics + 1 : grid_points, "guess_rotations");
-        pdn_periodic_options::progress = progress ? &detail::progress_fn : nullptr;
+        pdn_periodic_options::progress = progress ? &detail::progress_fn<Progress> : nullptr;
         pdn_periodic_options::progress_data = &progress;
         pdn_periodic_options::linear_solver = detail::c(linear_solver);
         pdn_periodic_options::start = detail::c(start);
@@ -3843,7 +3698,7 @@ struct BranchOptions : pdn_branch_options {
     {
         pdn_branch_options::periodic = periodic.get(nodes);
         pdn_branch_options::conditions = detail::optional(conditions, "options.conditions");
-        pdn_branch_options::progress = progress ? &detail::branch_fn : nullptr;
+        pdn_branch_options::progress = progress ? &detail::branch_fn<BranchProgress> : nullptr;
         pdn_branch_options::progress_data = &progress;
         return this;
     }
@@ -3864,7 +3719,7 @@ struct StaticOptions : pdn_static_options {
     const pdn_static_options *get()
     {
         pdn_static_options::initial = detail::optional(initial, "options.initial");
-        pdn_static_options::progress = progress ? &detail::progress_fn : nullptr;
+        pdn_static_options::progress = progress ? &detail::progress_fn<Progress> : nullptr;
         pdn_static_options::progress_data = &progress;
         return this;
     }
@@ -3914,7 +3769,7 @@ struct MarchOptions : pdn_march_options {
         pdn_march_options::positions = detail::flat(positions, nodes, 1, "positions");
         pdn_march_options::rotations = detail::flat(rotations, nodes, 1, "rotations");
         pdn_march_options::velocities = detail::flat(velocities, nodes, 1, "velocities");
-        pdn_march_options::progress = progress ? &detail::progress_fn : nullptr;
+        pdn_march_options::progress = progress ? &detail::progress_fn<Progress> : nullptr;
         pdn_march_options::progress_data = &progress;
         return this;
     }
@@ -3937,7 +3792,7 @@ struct ShootingOptions : pdn_shooting_options {
     const pdn_shooting_options *get()
     {
         pdn_shooting_options::initial = detail::optional(initial, "options.initial");
-        pdn_shooting_options::progress = progress ? &detail::progress_fn : nullptr;
+        pdn_shooting_options::progress = progress ? &detail::progress_fn<Progress> : nullptr;
         pdn_shooting_options::progress_data = &progress;
         return this;
     }
@@ -4143,14 +3998,15 @@ inline MotionInterpolate motion_interpolate(double period, const Series<3> &posi
 {
     const std::size_t points = detail::common({{"positions", positions.size()},
         {"rotations", rotations.size()}}, false);
-    Series<3> position(times.size());
-    Series<9> rotation_(times.size());
-    Series<6> velocity(times.size());
-    Series<6> acceleration(times.size());
+    const std::size_t count = times.size();
+    Series<3> position(count);
+    Series<9> rotation(count);
+    Series<6> velocity(count);
+    Series<6> acceleration(count);
     detail::check(pdn_motion_interpolate(period, detail::flat(positions), detail::flat(rotations),
-        points, times.data(), times.size(), detail::flat(position), detail::flat(rotation_),
+        points, times.data(), count, detail::flat(position), detail::flat(rotation),
         detail::flat(velocity), detail::flat(acceleration)));
-    return {std::move(position), std::move(rotation_), std::move(velocity),
+    return {std::move(position), std::move(rotation), std::move(velocity),
         std::move(acceleration)};
 }
 

@@ -54,16 +54,17 @@ static void throwing()
         Oscillator o;
         o.model.add_user_force({o.body}, Frame::space, pdn::Tangents::differenced,
                                [](const pdn::ForceState &state, pdn::ForceValues &values) {
-                                   values.force(state.node_count(), 0) = 1;
+                                   values.forces(state.node_count, 0) = 1;
                                });
         THROWS(pdn::solve_periodic(o.model, period), std::out_of_range,
-               std::string(e.what()) == "periodyn: entry 1 of 1 is asked for");
+               std::string(e.what()) == "Entries: index 1 is not below 1");
     }
     {
         pdn::Model model;
-        THROWS(model.add_beam(pdn::Line().set_curve(
-                                  [](double, pdn::Vector3 &, pdn::Vector3 &) { throw Mine{1}; }),
-                              steel(), 2, 2),
+        THROWS(model.add_beam(
+                   pdn::Line().set_curve(
+                       [](double) -> std::pair<pdn::Vector3, pdn::Vector3> { throw Mine{1}; }),
+                   steel(), 2, 2),
                Mine, e.number == 1);
         CHECK(model.node_count() == 0);
     }
@@ -125,12 +126,12 @@ static void laws_and_forces()
         const auto force = o.model.add_user_force(
             {o.body}, Frame::material, pdn::Tangents::given,
             [](const pdn::ForceState &state, pdn::ForceValues &values) {
-                CHECK(state.node_count() == 1 && state.time() >= 0);
-                CHECK(std::abs(state.position(0)[0]) < 1);
-                const auto rotation = state.rotation(0);
-                values.force(0, 5) =
-                    -2 * std::atan2(rotation[1], rotation[0]) - 0.1 * state.velocity(0)[5];
-                if (values.tangents_wanted()) {
+                CHECK(state.node_count == 1 && state.time >= 0);
+                CHECK(std::abs(state.positions(0, 0)) < 1);
+                values.forces(0, 5) =
+                    -2 * std::atan2(state.rotations(0, 1), state.rotations(0, 0)) -
+                    0.1 * state.velocities(0, 5);
+                if (values.by_motion) {
                     values.by_motion(0, 5, 0, 5) = -2;
                     values.by_velocity(0, 5, 0, 5) = -0.1;
                 }

@@ -44,12 +44,12 @@ static void model()
     REFUSED(pdn::Model().summary(), PDN_ERR_MODEL, "model: ");
     REFUSED(pdn::Model().describe(), PDN_ERR_MODEL, "model: ");
     REFUSED(m.add_node({0, nan_value, 0}), PDN_ERR_NOT_FINITE, "position[1]: ");
-    REFUSED(m.add_node(origin, {2, 0, 0, 0, 1, 0, 0, 0, 1}), PDN_ERR_VALUE, "rotation: ");
+    REFUSED(m.add_node(origin, {{2, 0, 0, 0, 1, 0, 0, 0, 1}}), PDN_ERR_VALUE, "rotation: ");
     REFUSED(m.add_rigid_body(0, origin, identity), PDN_ERR_VALUE, "mass: ");
     REFUSED(m.add_mass(9, 1, origin), PDN_ERR_ID, "node: ");
     REFUSED(m.add_mass(o.body, -1, origin, identity), PDN_ERR_VALUE, "mass: ");
     REFUSED(m.add_inertia(o.body, indefinite), PDN_ERR_VALUE, "matrix: ");
-    REFUSED(m.add_inertia(o.body, indefinite, {{nan_value, 0, 0}, {}}), PDN_ERR_NOT_FINITE,
+    REFUSED(m.add_inertia(o.body, indefinite, pdn_frame{{nan_value, 0, 0}, {}}), PDN_ERR_NOT_FINITE,
             "frame position[0]: ");
 
     REFUSED(m.add_rigid_joint(pdn::ground, 3, origin), PDN_ERR_ID, "second: ");
@@ -177,9 +177,9 @@ static void solutions()
     REFUSED(s.sample<9>({pdn::Kind::node_rotation, -1}, {0}), PDN_ERR_ID, "quantity.object: ");
     REFUSED(s.sample<4>({pdn::Kind::node_quaternion, pdn::first_node}, {0, nan_value}),
             PDN_ERR_NOT_FINITE, "times[1]: ");
-    REFUSED(s.sample<6>(
-                pdn::Quantity(pdn::Kind::node_velocity, pdn::first_node).in(static_cast<Frame>(5)),
-                {0}),
+    REFUSED(s.sample<6>(pdn::Quantity(pdn::Kind::node_velocity, pdn::first_node)
+                            .with_frame(static_cast<Frame>(5)),
+                        {0}),
             PDN_ERR_VALUE, "quantity.frame: ");
     REFUSED(s.sample<6>({pdn::Kind::node_acceleration, pdn::first_node}, {infinity}),
             PDN_ERR_NOT_FINITE, "times: ");
@@ -195,22 +195,24 @@ static void solutions()
         s.sample({pdn::Kind::joint_driving_effort, pdn::first_joint, Coordinate::rotation}, {0}),
         PDN_ERR_NOT_AVAILABLE, "coordinate: ");
     REFUSED(s.sample<6>(pdn::Quantity(pdn::Kind::joint_reaction, pdn::first_joint)
-                            .in(static_cast<pdn::Frame>(4)),
+                            .with_frame(static_cast<pdn::Frame>(4)),
                         {0}),
             PDN_ERR_VALUE, "quantity.frame: ");
     REFUSED(s.sample<6>({pdn::Kind::beam_strain, 0}, {0}), PDN_ERR_ID, "quantity.object: ");
-    REFUSED(s.sample<6>(pdn::Quantity(pdn::Kind::beam_force, pdn::first_beam_element).at(2), {0}),
+    REFUSED(s.sample<6>(
+                pdn::Quantity(pdn::Kind::beam_force, pdn::first_beam_element).with_station(2), {0}),
             PDN_ERR_VALUE, "station: ");
     REFUSED(s.sample({pdn::Kind::force_effort, 4}, {0}), PDN_ERR_ID, "quantity.object: ");
+    REFUSED(s.sample(pdn::Quantity(pdn::Kind::force_branch_effort, pdn::first_force).with_branch(0),
+                     {0}),
+            PDN_ERR_NOT_AVAILABLE, "branch: ");
     REFUSED(
-        s.sample(pdn::Quantity(pdn::Kind::force_branch_effort, pdn::first_force).of_branch(0), {0}),
-        PDN_ERR_NOT_AVAILABLE, "branch: ");
-    REFUSED(
-        s.sample(pdn::Quantity(pdn::Kind::force_branch_elongation, pdn::first_force).of_branch(0),
+        s.sample(pdn::Quantity(pdn::Kind::force_branch_elongation, pdn::first_force).with_branch(0),
                  {0}),
         PDN_ERR_NOT_AVAILABLE, "branch: ");
-    REFUSED(s.sample<6>(pdn::Quantity(pdn::Kind::force_on_node, pdn::first_force).on(7), {0}),
-            PDN_ERR_ID, "quantity.node: ");
+    REFUSED(
+        s.sample<6>(pdn::Quantity(pdn::Kind::force_on_node, pdn::first_force).with_node(7), {0}),
+        PDN_ERR_ID, "quantity.node: ");
     const std::size_t huge = std::numeric_limits<std::size_t>::max() / 2;
     REFUSED(s.harmonics({pdn::Kind::node_position, pdn::first_node}, huge), PDN_ERR_SIZE,
             "harmonics: ");

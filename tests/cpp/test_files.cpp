@@ -53,8 +53,8 @@ int main()
 
     table.add_quantity(solution, {pdn::Kind::node_position, o.body});
     table.add_quantity(solution, {pdn::Kind::joint_reaction, o.hinge});
-    table.add_quantity(solution, pdn::Quantity(pdn::Kind::force_on_node, o.spring).on(o.body),
-                       "pull");
+    table.add_quantity(solution,
+                       pdn::Quantity(pdn::Kind::force_on_node, o.spring).with_node(o.body), "pull");
     table.write_csv("more.csv");
     const std::string more = content("more.csv");
     CHECK(more.find("node0.position.x") != std::string::npos);
@@ -94,9 +94,9 @@ int main()
             PDN_ERR_NOT_AVAILABLE, "coordinate: ");
     REFUSED(table.add_quantity(solution, {pdn::Kind::joint_reaction, 5}), PDN_ERR_ID,
             "quantity.object: ");
-    REFUSED(
-        table.add_quantity(bent, pdn::Quantity(pdn::Kind::beam_force, beam.first_element).at(3)),
-        PDN_ERR_VALUE, "station: ");
+    REFUSED(table.add_quantity(
+                bent, pdn::Quantity(pdn::Kind::beam_force, beam.first_element).with_station(3)),
+            PDN_ERR_VALUE, "station: ");
     REFUSED(table.add_quantity(solution, {pdn::Kind::force_effort, 8}), PDN_ERR_ID,
             "quantity.object: ");
     REFUSED(table.add_values("short", {1}), PDN_ERR_SIZE, "count: ");

@@ -68,12 +68,13 @@ static void solution()
     const auto position = solution.sample<3>({pdn::Kind::node_position, o.body}, times);
     const auto velocity = solution.sample<6>({pdn::Kind::node_velocity, o.body}, times);
     const auto turning = solution.sample<6>(
-        pdn::Quantity(pdn::Kind::node_acceleration, o.body).in(pdn::Frame::material), times);
+        pdn::Quantity(pdn::Kind::node_acceleration, o.body).with_frame(pdn::Frame::material),
+        times);
     const auto reaction = solution.sample<6>(
-        pdn::Quantity(pdn::Kind::joint_reaction, o.hinge).in(pdn::Frame::first), times);
+        pdn::Quantity(pdn::Kind::joint_reaction, o.hinge).with_frame(pdn::Frame::first), times);
     const auto effort = solution.sample({pdn::Kind::force_effort, o.spring}, times);
-    const auto on_body =
-        solution.sample<6>(pdn::Quantity(pdn::Kind::force_on_node, o.spring).on(o.body), times);
+    const auto on_body = solution.sample<6>(
+        pdn::Quantity(pdn::Kind::force_on_node, o.spring).with_node(o.body), times);
     for (std::size_t k = 0; k < times.size(); ++k) {
         const double phase = omega * times[k];
         const double expected = real * std::cos(phase) + imaginary * std::sin(phase);
@@ -100,7 +101,7 @@ static void solution()
     NEAR(harmonics.sines[0], imaginary, 1e-12);
     const auto of_force = solution.harmonics({pdn::Kind::force_effort, o.spring}, 1);
     NEAR(of_force.cosines[0], 3 * real + 0.2 * omega * imaginary, 1e-11);
-    CHECK(solution.harmonics(pdn::Quantity(pdn::Kind::force_on_node, o.spring).on(o.body), 2)
+    CHECK(solution.harmonics(pdn::Quantity(pdn::Kind::force_on_node, o.spring).with_node(o.body), 2)
               .sines.size() == 12);
     CHECK(solution.harmonics({pdn::Kind::joint_reaction, o.hinge}, 2).sines.size() == 12);
     const auto of_node = solution.harmonics({pdn::Kind::node_velocity, o.body}, 3);
@@ -190,10 +191,12 @@ static void beams()
     // 530 / (2 EA) + 530 / EA, each over 1
     NEAR(solution.sample<3>({pdn::Kind::node_position, beam.last}, {0})[0][0] - 2, 1.5e-5, 1e-12);
     NEAR(solution.sample<6>({pdn::Kind::beam_strain, beam.first_element}, {0})[0][0], 5e-6, 1e-12);
-    NEAR(solution.sample<6>(pdn::Quantity(pdn::Kind::beam_force, beam.first_element + 3).at(0.3),
-                            {0.1, 0.2})[1][0],
+    NEAR(solution.sample<6>(
+             pdn::Quantity(pdn::Kind::beam_force, beam.first_element + 3).with_station(0.3),
+             {0.1, 0.2})[1][0],
          530, 1e-5);
-    NEAR(solution.harmonics(pdn::Quantity(pdn::Kind::beam_force, beam.first_element).at(1), 0)
+    NEAR(solution
+             .harmonics(pdn::Quantity(pdn::Kind::beam_force, beam.first_element).with_station(1), 0)
              .mean[0],
          530, 1e-5);
     CHECK(model.element_count() == 4 && model.node_count() == 10 && model.joint_count() == 2);
@@ -210,13 +213,11 @@ static void beams()
     pdn::Model curved;
     const auto arc = curved.add_beam(pdn::Line().set_arc(axis_1, {half, half, 0}, axis_2, axis_3),
                                      pdn::Stations({0, 1}, {thin, thin}, {0, 0.1}), 3, 3);
-    const auto curve = curved.add_beam(
-        pdn::Line().set_curve([](double fraction, pdn::Vector3 &position, pdn::Vector3 &direction) {
-            const double angle = fraction * pi / 2;
-            position = {std::cos(angle), std::sin(angle), 5};
-            direction = {0, 0, 1};
-        }),
-        thin, 3, 3);
+    const auto curve = curved.add_beam(pdn::Line().set_curve([](double fraction) {
+        const double angle = fraction * pi / 2;
+        return std::pair(pdn::Vector3{std::cos(angle), std::sin(angle), 5}, axis_3);
+    }),
+                                       thin, 3, 3);
     const auto middle = curved.node_frame((arc.first + arc.last) / 2);
     const auto same = curved.node_frame((curve.first + curve.last) / 2);
     NEAR(middle.position[0], same.position[0], 1e-12);
@@ -286,13 +287,13 @@ static void everything()
           pdn::first_prescribed + 1);
     m.set_gravity({0, 0, -9.81});
     m.set_gravity_signals(0.0, 0.0, [](double) { return -9.81; });
-    m.set_turning_frame({0, 0, 2}, 1.5, {1, 0, 0});
+    m.set_turning_frame({0, 0, 2}, 1.5, axis_1);
     const pdn::ModelTurningFrame frame = m.turning_frame();
     CHECK(frame.rate == 1.5 && frame.axis[2] == 1 && frame.point[0] == 1);
     pdn::Model rotor;
     for (const double x : {0.0, 1.0, 2.0, 3.0})
         rotor.add_node({x, 0, 0});
-    rotor.set_rotor_symmetry({0, 0, 2}, 3, {node(0), node(1), node(2)}, {node(3)}, {1, 0, 0});
+    rotor.set_rotor_symmetry({0, 0, 2}, 3, {node(0), node(1), node(2)}, {node(3)}, axis_1);
     const pdn::ModelRotorSymmetry said = rotor.rotor_symmetry();
     CHECK(said.axis[2] == 1 && said.point[0] == 1 && said.blades == 3);
     CHECK(said.nodes_of_blade == 1 && said.hub_nodes == 1);
@@ -301,7 +302,7 @@ static void everything()
     phases.add_rotation_phase(frame.axis);
     phases.add_translation_phase({1, 0, 0});
     phases.add_momentum({1, 0, 0}, 2);
-    phases.add_angular_momentum(frame.axis, 2, {1, 0, 0});
+    phases.add_angular_momentum(frame.axis, 2, axis_1);
     std::int32_t forces = 0;
     for (const auto force : {
              m.add_spring_damper(joint(6), Coordinate::displacement_2, 1),
@@ -321,13 +322,13 @@ static void everything()
                               {joint(6)}, {Coordinate::rotation_2}, {0.5}, {2},
                               pdn::Tangents::given,
                               [](const pdn::ControllerState &at, pdn::ControllerValues &out) {
-                                  out.effort(0) = -at.state(0) * at.input(1);
-                                  out.state_rate(0) = at.input_rate(0) - at.state(0);
-                                  if (out.tangents_wanted()) {
-                                      out.by_input(0, 1) = -at.state(0);
-                                      out.by_state(0, 0) = -at.input(1);
-                                      out.by_input_rate(1, 0) = 1;
-                                      out.by_state(1, 0) = -1;
+                                  out.efforts(0) = -at.states(0) * at.inputs(1);
+                                  out.state_rates(0) = at.input_rates(0) - at.states(0);
+                                  if (out.by_inputs) {
+                                      out.by_inputs(0, 1) = -at.states(0);
+                                      out.by_states(0, 0) = -at.inputs(1);
+                                      out.by_input_rates(1, 0) = 1;
+                                      out.by_states(1, 0) = -1;
                                   }
                               }),
          }) {
@@ -389,10 +390,10 @@ static void viscoelastic()
     NEAR(solution.sample({pdn::Kind::joint_coordinate, o.hinge, Coordinate::rotation}, {0})[0],
          real, 1e-12);
     const double effort = storage * real + loss * imaginary;
-    NEAR(
-        solution.sample(pdn::Quantity(pdn::Kind::force_branch_effort, branch).of_branch(0), {0})[0],
-        effort, 1e-12);
-    NEAR(solution.sample(pdn::Quantity(pdn::Kind::force_branch_elongation, branch).of_branch(0),
+    NEAR(solution.sample(pdn::Quantity(pdn::Kind::force_branch_effort, branch).with_branch(0),
+                         {0})[0],
+         effort, 1e-12);
+    NEAR(solution.sample(pdn::Quantity(pdn::Kind::force_branch_elongation, branch).with_branch(0),
                          {0})[0],
          real - effort / 2, 1e-12);
 }

@@ -23,12 +23,14 @@ double stretch_of(pdn::Model &model, std::int32_t first_clamped, std::int32_t lo
     CHECK(model.shell_load(load).place == pdn::ShellPlace::edge_end_xi);
     const auto solution = pdn::solve_static(model);
     CHECK(solution.converged());
-    const pdn::Quantity stress(pdn::Kind::shell_stress_top, loaded_element, {0.5, 0}, {1, 0, 0});
+    const auto stress = pdn::Quantity(pdn::Kind::shell_stress_top, loaded_element)
+                            .with_station(0.5)
+                            .with_direction({1, 0, 0});
     CHECK(stress.components() == 4);
     NEAR(solution.sample(stress, {0})[0], 600 / thickness, 1e-5);
-    const pdn::Quantity force(pdn::Kind::shell_resultant, loaded_element, {0.5, 0});
+    const auto force = pdn::Quantity(pdn::Kind::shell_resultant, loaded_element).with_station(0.5);
     NEAR(solution.sample(force, {0})[0], 600, 1e-7);
-    const pdn::Quantity strain(pdn::Kind::shell_strain, loaded_element, {0.5, 0});
+    const auto strain = pdn::Quantity(pdn::Kind::shell_strain, loaded_element).with_station(0.5);
     NEAR(solution.sample(strain, {0})[0], 600 / (young * thickness), 1e-12);
     return solution.sample<3>({pdn::Kind::node_position, tip}, {0})[0][0] - before;
 }
@@ -102,17 +104,17 @@ int main()
                     pdn::Tangents::given,
                     [](const pdn::SurfaceState &state, pdn::SurfaceValues &values) {
                         double area = 0;
-                        for (std::size_t k = 0; k < state.point_count(); ++k) {
-                            area += state.size(k);
-                            CHECK(std::abs(state.place(k)[1]) < 1 && state.position(k)[0] > 0);
-                            values.force(k, 2) = 0.05 - 3 * state.velocity(k)[2];
-                            if (values.tangents_wanted()) {
+                        for (std::size_t k = 0; k < state.point_count; ++k) {
+                            area += state.sizes(k);
+                            CHECK(std::abs(state.places(k, 1)) < 1 && state.positions(k, 0) > 0);
+                            values.forces(k, 2) = 0.05 - 3 * state.velocities(k, 2);
+                            if (values.by_motion) {
                                 CHECK(values.by_motion(k, 2, 2) == 0);
                                 values.by_velocity(k, 2, 2) = -3;
                             }
                         }
-                        CHECK(state.element() == pdn::first_shell_element + 1 &&
-                              state.rotation(0)[8] > 0);
+                        CHECK(state.element == pdn::first_shell_element + 1 &&
+                              state.rotations(0, 8) > 0);
                         NEAR(area, length * width / 2, 1e-14);
                     });
                 CHECK(first == pdn::first_force && model.check_tangents(first, 1).error < 1e-7);
