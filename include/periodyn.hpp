@@ -758,34 +758,27 @@ const double *flat(const Series<C> &series, std::size_t nodes, std::size_t point
     return flat(series);
 }
 
-/** What is there, or NULL if there is nothing. */
-template <class T> const typename T::value_type *data_or_null(const T &array)
+/** @name What C++ has, as the library takes it */
+///@{
+template <class Choice, class = std::enable_if_t<!std::is_class_v<Choice>>>
+constexpr std::int32_t in(Choice enumerator_or_bool)
 {
-    return array.size() == 0 ? nullptr : array.data();
+    return static_cast<std::int32_t>(enumerator_or_bool);
 }
-
-/** One less than there are, if there are any. */
-constexpr std::size_t less_one(std::size_t size)
+template <class Array> auto in(const Array &array) -> decltype(array.data())
 {
-    return size == 0 ? 0 : size - 1;
+    return array.data();
 }
-
-/** The same as C has it. */
-template <class Enum> constexpr std::int32_t c(Enum value)
+template <std::size_t C> const double *in(const Series<C> &series)
 {
-    return static_cast<std::int32_t>(value);
+    return flat(series);
 }
-template <class Enum> std::vector<std::int32_t> codes(View<Enum> values)
+template <class T> auto in(const std::optional<T> &value) -> decltype(in(*value))
 {
-    std::vector<std::int32_t> codes;
-    for (const Enum value : values) {
-        codes.push_back(c(value));
-    }
-    return codes;
+    return value ? in(*value) : nullptr;
 }
-
 /** The handle of an object that may be left out, but not moved from. */
-template <class T> auto optional(const T *object, const char *name) -> decltype(object->get())
+template <class T> auto in(const T *object, const char *name) -> decltype(object->get())
 {
     if (object != nullptr && object->get() == nullptr) {
         throw error(PDN_ERR_NULL,
@@ -793,6 +786,27 @@ template <class T> auto optional(const T *object, const char *name) -> decltype(
     }
     return object == nullptr ? nullptr : object->get();
 }
+template <class T> const typename T::value_type *in_or_null(const T &array)
+{
+    return array.size() == 0 ? nullptr : array.data();
+}
+/** What is converted one by one, and there until the call has ended. */
+template <class T> struct Converted : std::vector<T> {
+    operator const T *() const
+    {
+        return this->data();
+    }
+};
+template <class Enum, class = std::enable_if_t<std::is_enum_v<Enum>>>
+Converted<std::int32_t> in(View<Enum> choices)
+{
+    Converted<std::int32_t> codes;
+    for (const Enum choice : choices) {
+        codes.push_back(in(choice));
+    }
+    return codes;
+}
+///@}
 
 /** Functions of signals that the library may still call, kept by models and solutions. */
 using Kept = std::vector<std::shared_ptr<const void>>;
@@ -1212,14 +1226,14 @@ struct Section : pdn_section {
      * beam's line, and axes 2 and 3 are principal. */
     Section &set_diagonal(const Vector6 &stiffness_, const std::array<double, 4> &mass_)
     {
-        detail::check(pdn_section_set_diagonal(this, stiffness_.data(), mass_.data()));
+        detail::check(pdn_section_set_diagonal(this, detail::in(stiffness_), detail::in(mass_)));
         return *this;
     }
     /** Gives a section damping with one time for each force and moment: damping = diag(seconds) *
      * stiffness, which must have been set. */
     Section &set_component_damping(const Vector6 &seconds)
     {
-        detail::check(pdn_section_set_component_damping(this, seconds.data()));
+        detail::check(pdn_section_set_component_damping(this, detail::in(seconds)));
         return *this;
     }
     /** Gives a section damping in proportion to its stiffness, which must have been set. */
@@ -1240,15 +1254,16 @@ struct Line : pdn_line {
     /** Makes a line straight. */
     Line &set_straight(const Vector3 &start_, const Vector3 &end_, const Vector3 &axis_2_)
     {
-        detail::check(pdn_line_set_straight(this, start_.data(), end_.data(), axis_2_.data()));
+        detail::check(pdn_line_set_straight(this, detail::in(start_), detail::in(end_),
+            detail::in(axis_2_)));
         return *this;
     }
     /** Makes a line the circular arc from start through point to end, of up to a whole turn. */
     Line &set_arc(const Vector3 &start_, const Vector3 &point_, const Vector3 &end_,
         const Vector3 &axis_2_)
     {
-        detail::check(pdn_line_set_arc(this, start_.data(), point_.data(), end_.data(),
-            axis_2_.data()));
+        detail::check(pdn_line_set_arc(this, detail::in(start_), detail::in(point_),
+            detail::in(end_), detail::in(axis_2_)));
         return *this;
     }
     /** Makes a line a curve that the caller computes. */
@@ -1275,8 +1290,8 @@ struct Surface : pdn_surface {
     Surface &set_parallelogram(const Vector3 &corner, const Vector3 &along_u,
         const Vector3 &along_v)
     {
-        detail::check(pdn_surface_set_parallelogram(this, corner.data(), along_u.data(),
-            along_v.data()));
+        detail::check(pdn_surface_set_parallelogram(this, detail::in(corner), detail::in(along_u),
+            detail::in(along_v)));
         return *this;
     }
     /** Makes a surface an annulus or a sector of one: u from the inner to the outer radius, v
@@ -1284,16 +1299,16 @@ struct Surface : pdn_surface {
     Surface &set_annulus(const Vector3 &centre, const Vector3 &axis_, const Vector3 &start_,
         double inner, double outer, double angle_)
     {
-        detail::check(pdn_surface_set_annulus(this, centre.data(), axis_.data(), start_.data(),
-            inner, outer, angle_));
+        detail::check(pdn_surface_set_annulus(this, detail::in(centre), detail::in(axis_),
+            detail::in(start_), inner, outer, angle_));
         return *this;
     }
     /** Makes a surface a cylinder or a sector of one: u around the axis, v along it. */
     Surface &set_cylinder(const Vector3 &centre, const Vector3 &axis_, const Vector3 &start_,
         double radius, double length, double angle_)
     {
-        detail::check(pdn_surface_set_cylinder(this, centre.data(), axis_.data(), start_.data(),
-            radius, length, angle_));
+        detail::check(pdn_surface_set_cylinder(this, detail::in(centre), detail::in(axis_),
+            detail::in(start_), radius, length, angle_));
         return *this;
     }
     /** Makes a surface one that the caller computes, smooth within each element. */
@@ -1344,7 +1359,7 @@ struct ShellPlacement : pdn_shell_placement {
     /** As the library takes it, valid while this object stays as it is. */
     const pdn_shell_placement *get()
     {
-        pdn_shell_placement::frames = detail::c(frames);
+        pdn_shell_placement::frames = detail::in(frames);
         return this;
     }
 };
@@ -1370,9 +1385,9 @@ struct Stations : pdn_stations {
     /** As the library takes it, valid while this object stays as it is. */
     const pdn_stations *get()
     {
-        pdn_stations::fractions = detail::data_or_null(fractions);
-        pdn_stations::sections = detail::data_or_null(sections);
-        pdn_stations::twists = detail::data_or_null(twists);
+        pdn_stations::fractions = detail::in_or_null(fractions);
+        pdn_stations::sections = detail::in_or_null(sections);
+        pdn_stations::twists = detail::in_or_null(twists);
         pdn_stations::count = detail::common({{"fractions", fractions.size()},
             {"sections", sections.size()}, {"twists", twists.size()}}, true);
         return this;
@@ -1413,10 +1428,10 @@ struct Quantity : pdn_quantity {
     /** The component, from 0, or PDN_ALL_COMPONENTS, the default. Of coordinates and driving
      * efforts, the coordinate: PDN_DISPLACEMENT, ..., PDN_ROTATION_3; of relations which of their
      * coordinates, from 0. */
-    Quantity with_component(Coordinate value) const
+    Quantity with_component(std::int32_t value) const
     {
         Quantity other(*this);
-        other.component = detail::c(value);
+        other.component = value;
         return other;
     }
     /** PDN_FRAME_SPACE, the default, or PDN_FRAME_MATERIAL; of reactions PDN_FRAME_SPACE,
@@ -1424,7 +1439,7 @@ struct Quantity : pdn_quantity {
     Quantity with_frame(Frame value) const
     {
         Quantity other(*this);
-        other.frame = detail::c(value);
+        other.frame = detail::in(value);
         return other;
     }
     /** Of what a force exerts on one of its nodes, the node. */
@@ -1471,37 +1486,30 @@ struct Quantity : pdn_quantity {
     /** Of a node, joint, beam element, shell element, force or relation. */
     Quantity(Kind of_kind, std::int32_t of_object) : Quantity()
     {
-        kind = detail::c(of_kind);
+        kind = detail::in(of_kind);
         object = of_object;
     }
     /** A coordinate of a joint, its rate or acceleration, or what drives it. */
     Quantity(Kind of_kind, std::int32_t joint, Coordinate coordinate) : Quantity(of_kind, joint)
     {
-        component = detail::c(coordinate);
+        component = detail::in(coordinate);
     }
 };
 
 namespace detail
 {
 
-/** Signals for each component at each place; and these as the library takes them. */
-inline std::vector<const Signal *> all(const std::vector<std::array<Signal, 6>> &places)
+inline Converted<pdn_quantity> in(const std::vector<Quantity> &quantities)
 {
-    std::vector<const Signal *> all;
-    for (const auto &place : places) {
-        for (const Signal &signal : place) {
-            all.push_back(&signal);
-        }
-    }
-    return all;
+    return {{quantities.begin(), quantities.end()}};
 }
-inline std::vector<pdn_signal> plain(const std::vector<std::array<Signal, 6>> &places)
+inline Converted<pdn_signal> in(const std::vector<std::array<Signal, 6>> &places)
 {
-    std::vector<pdn_signal> plain;
-    for (const Signal *signal : all(places)) {
-        plain.push_back(*signal);
+    Converted<pdn_signal> signals;
+    for (const auto &place : places) {
+        signals.insert(signals.end(), place.begin(), place.end());
     }
-    return plain;
+    return signals;
 }
 
 /** Numbers, each time's together, as an array for each. */
@@ -1545,19 +1553,14 @@ template <class T, void (*free)(T *)> class Handle
     /** The text that a function of the handle writes. */
     template <class Write> std::string text_of(const char *name, Write write) const
     {
-        optional(this, name);
+        in(this, name);
         return text(write);
     }
     /** A call that takes signals: functions among them are kept, as all else is copied. */
-    template <class Call> void take(const std::vector<const Signal *> &signals, Call call)
+    template <class Call, class... Signals> void take(Call call, const Signals &...signals)
     {
         const std::size_t before = kept_.size();
-        for (const Signal *signal : signals) {
-            if (signal != nullptr && (signal->kind == PDN_SIGNAL_FUNCTION ||
-                                      signal->kind == PDN_SIGNAL_FUNCTION_OF_PHASE)) {
-                kept_.push_back(signal->kept);
-            }
-        }
+        (keep(signals), ...);
         const pdn_status status = call();
         if (status != PDN_OK) {
             kept_.resize(before);
@@ -1566,6 +1569,22 @@ template <class T, void (*free)(T *)> class Handle
     }
 
   private:
+    void keep(const std::optional<Signal> &signal)
+    {
+        if (signal && (signal->kind == PDN_SIGNAL_FUNCTION ||
+                       signal->kind == PDN_SIGNAL_FUNCTION_OF_PHASE)) {
+            kept_.push_back(signal->kept);
+        }
+    }
+    void keep(const std::vector<std::array<Signal, 6>> &places)
+    {
+        for (const auto &place : places) {
+            for (const Signal &signal : place) {
+                keep(signal);
+            }
+        }
+    }
+
     struct Free {
         void operator()(T *handle) const noexcept
         {
@@ -1597,7 +1616,7 @@ class Sensitivities : public detail::Handle<pdn_sensitivities, pdn_sensitivities
     /** Adds a dependent: the mean, a harmonic, the value at a time, or a peak of a quantity. */
     void add_quantity(const Quantity &quantity, Feature feature, double at = 0.0)
     {
-        detail::check(pdn_sensitivities_add_quantity(get(), &quantity, detail::c(feature), at));
+        detail::check(pdn_sensitivities_add_quantity(get(), &quantity, detail::in(feature), at));
     }
     /** Adds a dependent: the value of a free parameter, which conditions determine. */
     void add_found(std::int32_t parameter)
@@ -1640,27 +1659,27 @@ class Conditions : public detail::Handle<pdn_conditions, pdn_conditions_free>
      * the motion is not turned about an axis from that which the solve starts from. */
     void add_rotation_phase(const Vector3 &axis, const std::optional<Vector3> &point = {})
     {
-        detail::check(pdn_conditions_add_rotation_phase(get(), axis.data(),
-            point ? point->data() : nullptr));
+        detail::check(pdn_conditions_add_rotation_phase(get(), detail::in(axis),
+            detail::in(point)));
     }
     /** Adds the condition on the phase of a translation: in the mean over the period and all nodes,
      * the motion is not moved in a direction from that which the solve starts from. */
     void add_translation_phase(const Vector3 &direction)
     {
-        detail::check(pdn_conditions_add_translation_phase(get(), direction.data()));
+        detail::check(pdn_conditions_add_translation_phase(get(), detail::in(direction)));
     }
     /** Adds the condition that the mean, a harmonic, or the value at a time, of a quantity is this:
      * trim. */
     void add_quantity(const Quantity &quantity, Feature feature, double at, double value,
         double scale = 0.0)
     {
-        detail::check(pdn_conditions_add_quantity(get(), &quantity, detail::c(feature), at, value,
+        detail::check(pdn_conditions_add_quantity(get(), &quantity, detail::in(feature), at, value,
             scale));
     }
     /** Adds the condition that a joint coordinate has a value at the start of the period. */
     void add_joint_coordinate(std::int32_t joint, Coordinate coordinate, double value)
     {
-        detail::check(pdn_conditions_add_joint_coordinate(get(), joint, detail::c(coordinate),
+        detail::check(pdn_conditions_add_joint_coordinate(get(), joint, detail::in(coordinate),
             value));
     }
     /** Adds the condition that the mean of the kinetic and the potential energy over the period is
@@ -1672,14 +1691,14 @@ class Conditions : public detail::Handle<pdn_conditions, pdn_conditions_free>
     /** Adds the condition that the mean momentum in a direction is a value. */
     void add_momentum(const Vector3 &direction, double momentum)
     {
-        detail::check(pdn_conditions_add_momentum(get(), direction.data(), momentum));
+        detail::check(pdn_conditions_add_momentum(get(), detail::in(direction), momentum));
     }
     /** Adds the condition that the mean angular momentum about an axis is a value. */
     void add_angular_momentum(const Vector3 &axis, double momentum,
         const std::optional<Vector3> &point = {})
     {
-        detail::check(pdn_conditions_add_angular_momentum(get(), axis.data(),
-            point ? point->data() : nullptr, momentum));
+        detail::check(pdn_conditions_add_angular_momentum(get(), detail::in(axis),
+            detail::in(point), momentum));
     }
 };
 
@@ -1698,8 +1717,8 @@ struct SensitivityOptions : pdn_sensitivity_options {
     /** As the library takes it, valid while this object stays as it is. */
     const pdn_sensitivity_options *get()
     {
-        pdn_sensitivity_options::method = detail::c(method);
-        pdn_sensitivity_options::linear_solver = detail::c(linear_solver);
+        pdn_sensitivity_options::method = detail::in(method);
+        pdn_sensitivity_options::linear_solver = detail::in(linear_solver);
         return this;
     }
 };
@@ -2012,15 +2031,16 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     std::int32_t add_node(const Vector3 &position, const std::optional<Matrix3> &rotation = {})
     {
         std::int32_t node = 0;
-        detail::check(pdn_model_add_node(get(), position.data(),
-            rotation ? rotation->data() : nullptr, &node));
+        detail::check(pdn_model_add_node(get(), detail::in(position), detail::in(rotation),
+            &node));
         return node;
     }
     /** Adds a rigid body: a node at its centre of mass, with axes parallel to the global ones. */
     std::int32_t add_rigid_body(double mass, const Vector3 &centre, const Matrix3 &inertia)
     {
         std::int32_t node = 0;
-        detail::check(pdn_model_add_rigid_body(get(), mass, centre.data(), inertia.data(), &node));
+        detail::check(pdn_model_add_rigid_body(get(), mass, detail::in(centre),
+            detail::in(inertia), &node));
         return node;
     }
     /** Fixes a mass to a node, in addition to what the node has. */
@@ -2028,8 +2048,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         const std::optional<Matrix3> &inertia = {})
     {
         std::int32_t id = 0;
-        detail::check(pdn_model_add_mass(get(), node, mass, centre.data(),
-            inertia ? inertia->data() : nullptr, &id));
+        detail::check(pdn_model_add_mass(get(), node, mass, detail::in(centre),
+            detail::in(inertia), &id));
         return id;
     }
     /** Fixes an inertia of any kind to a node, in addition to what the node has. */
@@ -2037,24 +2057,24 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         const std::optional<pdn_frame> &frame = {})
     {
         std::int32_t id = 0;
-        detail::check(pdn_model_add_inertia(get(), node, frame ? &*frame : nullptr, matrix.data(),
-            &id));
+        detail::check(pdn_model_add_inertia(get(), node, frame ? &*frame : nullptr,
+            detail::in(matrix), &id));
         return id;
     }
     /** Makes a joint coordinate follow a signal. */
     std::int32_t prescribe(std::int32_t joint, Coordinate coordinate, const Signal &signal)
     {
         std::int32_t prescribed = 0;
-        take({&signal}, [&] {
-            return pdn_model_prescribe(get(), joint, detail::c(coordinate), &signal, &prescribed);
-        });
+        take([&] {
+            return pdn_model_prescribe(get(), joint, detail::in(coordinate), &signal, &prescribed);
+        }, signal);
         return prescribed;
     }
     /** Fixes two bodies to each other. */
     std::int32_t add_rigid_joint(std::int32_t first, std::int32_t second, const Vector3 &point)
     {
         std::int32_t joint = 0;
-        detail::check(pdn_model_add_rigid_joint(get(), first, second, point.data(), &joint));
+        detail::check(pdn_model_add_rigid_joint(get(), first, second, detail::in(point), &joint));
         return joint;
     }
     /** Joins two bodies by a hinge. */
@@ -2062,8 +2082,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         const Vector3 &axis)
     {
         std::int32_t joint = 0;
-        detail::check(pdn_model_add_revolute(get(), first, second, point.data(), axis.data(),
-            &joint));
+        detail::check(pdn_model_add_revolute(get(), first, second, detail::in(point),
+            detail::in(axis), &joint));
         return joint;
     }
     /** Joins two bodies by a slider. */
@@ -2071,8 +2091,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         const Vector3 &axis)
     {
         std::int32_t joint = 0;
-        detail::check(pdn_model_add_prismatic(get(), first, second, point.data(), axis.data(),
-            &joint));
+        detail::check(pdn_model_add_prismatic(get(), first, second, detail::in(point),
+            detail::in(axis), &joint));
         return joint;
     }
     /** Joins two bodies by a shaft in a sleeve: one slides along the axis and turns about it. */
@@ -2080,8 +2100,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         const Vector3 &axis)
     {
         std::int32_t joint = 0;
-        detail::check(pdn_model_add_cylindrical(get(), first, second, point.data(), axis.data(),
-            &joint));
+        detail::check(pdn_model_add_cylindrical(get(), first, second, detail::in(point),
+            detail::in(axis), &joint));
         return joint;
     }
     /** Joins two bodies by a screw: the second advances along the axis as it turns about it. */
@@ -2089,8 +2109,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         const Vector3 &axis, double pitch)
     {
         std::int32_t joint = 0;
-        detail::check(pdn_model_add_screw(get(), first, second, point.data(), axis.data(), pitch,
-            &joint));
+        detail::check(pdn_model_add_screw(get(), first, second, detail::in(point),
+            detail::in(axis), pitch, &joint));
         return joint;
     }
     /** Joins two bodies by a pair of planes that slide and turn on each other. */
@@ -2098,22 +2118,22 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         const Vector3 &normal)
     {
         std::int32_t joint = 0;
-        detail::check(pdn_model_add_planar(get(), first, second, point.data(), normal.data(),
-            &joint));
+        detail::check(pdn_model_add_planar(get(), first, second, detail::in(point),
+            detail::in(normal), &joint));
         return joint;
     }
     /** Joins two bodies by nothing: a joint that constrains no motion, but has coordinates. */
     std::int32_t add_free_joint(std::int32_t first, std::int32_t second, const Vector3 &point)
     {
         std::int32_t joint = 0;
-        detail::check(pdn_model_add_free_joint(get(), first, second, point.data(), &joint));
+        detail::check(pdn_model_add_free_joint(get(), first, second, detail::in(point), &joint));
         return joint;
     }
     /** Joins two bodies by a ball. */
     std::int32_t add_spherical(std::int32_t first, std::int32_t second, const Vector3 &point)
     {
         std::int32_t joint = 0;
-        detail::check(pdn_model_add_spherical(get(), first, second, point.data(), &joint));
+        detail::check(pdn_model_add_spherical(get(), first, second, detail::in(point), &joint));
         return joint;
     }
     /** Joins two bodies by a cross (Cardan, Hooke). */
@@ -2121,8 +2141,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         const Vector3 &first_arm, const Vector3 &second_arm)
     {
         std::int32_t joint = 0;
-        detail::check(pdn_model_add_universal(get(), first, second, point.data(), first_arm.data(),
-            second_arm.data(), &joint));
+        detail::check(pdn_model_add_universal(get(), first, second, detail::in(point),
+            detail::in(first_arm), detail::in(second_arm), &joint));
         return joint;
     }
     /** Adds a strut: the line between a point of each of two bodies. */
@@ -2130,8 +2150,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         const Vector3 &second_point)
     {
         std::int32_t joint = 0;
-        detail::check(pdn_model_add_strut(get(), first, second, first_point.data(),
-            second_point.data(), &joint));
+        detail::check(pdn_model_add_strut(get(), first, second, detail::in(first_point),
+            detail::in(second_point), &joint));
         return joint;
     }
     /** Joins two bodies by a joint of any kind, between a frame fixed to each. */
@@ -2139,7 +2159,7 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         const pdn_frame &first_frame, const pdn_frame &second_frame)
     {
         std::int32_t joint = 0;
-        detail::check(pdn_model_add_joint(get(), detail::c(kind), first, second, &first_frame,
+        detail::check(pdn_model_add_joint(get(), detail::in(kind), first, second, &first_frame,
             &second_frame, &joint));
         return joint;
     }
@@ -2166,12 +2186,11 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     {
         const std::size_t count = detail::common({{"joints", joints.size()},
             {"coordinates", coordinates.size()}, {"coefficients", coefficients.size()}}, false);
-        const auto coordinates_in_c = detail::codes(coordinates);
         std::int32_t relation = 0;
-        take({signal ? &*signal : nullptr}, [&] {
-            return pdn_model_add_relation(get(), joints.data(), coordinates_in_c.data(),
-            coefficients.data(), count, signal ? &*signal : nullptr, &relation);
-        });
+        take([&] {
+            return pdn_model_add_relation(get(), detail::in(joints), detail::in(coordinates),
+            detail::in(coefficients), count, signal ? &*signal : nullptr, &relation);
+        }, signal);
         return relation;
     }
     /** Adds a beam element over nodes that are there; it may be curved and twisted. */
@@ -2179,7 +2198,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     {
         const std::size_t count = nodes.size();
         std::int32_t element = 0;
-        detail::check(pdn_model_add_beam_element(get(), nodes.data(), count, &section, &element));
+        detail::check(pdn_model_add_beam_element(get(), detail::in(nodes), count, &section,
+            &element));
         return element;
     }
     /** Adds a straight beam: its nodes and elements. */
@@ -2187,8 +2207,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         const Section &section, std::size_t elements, std::size_t degree)
     {
         pdn_beam beam{};
-        detail::check(pdn_model_add_straight_beam(get(), start.data(), end.data(), axis_2.data(),
-            &section, elements, degree, &beam));
+        detail::check(pdn_model_add_straight_beam(get(), detail::in(start), detail::in(end),
+            detail::in(axis_2), &section, elements, degree, &beam));
         return beam;
     }
     /** Adds a beam along a line, with sections that may vary: its nodes and elements. */
@@ -2204,10 +2224,10 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     pdn_beam add_beam_between(const Line &line, Stations stations, Reals boundaries,
         std::size_t degree)
     {
-        const std::size_t elements = detail::less_one(boundaries.size());
+        const std::size_t elements = boundaries.size() == 0 ? 0 : boundaries.size() - 1;
         pdn_beam beam{};
-        detail::check(pdn_model_add_beam_between(get(), &line, stations.get(), boundaries.data(),
-            elements, degree, &beam));
+        detail::check(pdn_model_add_beam_between(get(), &line, stations.get(),
+            detail::in(boundaries), elements, degree, &beam));
         return beam;
     }
     /** Adds one component of a force or moment on a node, in addition to those that are there. */
@@ -2215,30 +2235,28 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         const Signal &signal)
     {
         std::int32_t load = 0;
-        take({&signal}, [&] {
-            return pdn_model_add_load(get(), node, detail::c(frame), detail::c(component), &signal,
-            &load);
-        });
+        take([&] {
+            return pdn_model_add_load(get(), node, detail::in(frame), detail::in(component),
+            &signal, &load);
+        }, signal);
         return load;
     }
     /** Sets the acceleration of gravity, in place of any set before. */
     void set_gravity(const Vector3 &acceleration)
     {
-        detail::check(pdn_model_set_gravity(get(), acceleration.data()));
+        detail::check(pdn_model_set_gravity(get(), detail::in(acceleration)));
     }
     /** Sets an acceleration of gravity that varies in time, in place of any set before. */
     void set_gravity_signals(const std::optional<Signal> &acceleration_1 = {},
         const std::optional<Signal> &acceleration_2 = {},
         const std::optional<Signal> &acceleration_3 = {})
     {
-        take({acceleration_1 ? &*acceleration_1 : nullptr,
-            acceleration_2 ? &*acceleration_2 : nullptr,
-            acceleration_3 ? &*acceleration_3 : nullptr}, [&] {
+        take([&] {
             return pdn_model_set_gravity_signals(get(),
             acceleration_1 ? &*acceleration_1 : nullptr,
             acceleration_2 ? &*acceleration_2 : nullptr,
             acceleration_3 ? &*acceleration_3 : nullptr);
-        });
+        }, acceleration_1, acceleration_2, acceleration_3);
     }
     /** Adds one component of a force or moment distributed along beam elements, in addition to
      * those that are there. */
@@ -2249,11 +2267,11 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         const std::size_t count = detail::common({{"fractions", fractions.size()},
             {"factors", factors.size()}}, true);
         std::int32_t load = 0;
-        take({&signal}, [&] {
-            return pdn_model_add_distributed_load(get(), first_element, elements, detail::c(frame),
-            detail::c(component), &signal, detail::data_or_null(fractions),
-            detail::data_or_null(factors), count, &load);
-        });
+        take([&] {
+            return pdn_model_add_distributed_load(get(), first_element, elements,
+            detail::in(frame), detail::in(component), &signal, detail::in_or_null(fractions),
+            detail::in_or_null(factors), count, &load);
+        }, signal);
         return load;
     }
     /** Adds a force and moment distributed along beam elements, all components at all places at
@@ -2265,13 +2283,11 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     {
         const std::size_t count = detail::common({{"fractions", fractions.size()},
             {"signals", signals.size()}}, false);
-        const std::vector<pdn_signal> plain = detail::plain(signals);
         std::int32_t first_load_ = 0;
-        take(detail::all(signals), [&] {
-            return pdn_model_add_load_at_places(get(), first_element, elements, detail::c(frame),
-            axis_2 ? axis_2->data() : nullptr, fractions.data(), plain.data(), count,
-            &first_load_);
-        });
+        take([&] {
+            return pdn_model_add_load_at_places(get(), first_element, elements, detail::in(frame),
+            detail::in(axis_2), detail::in(fractions), detail::in(signals), count, &first_load_);
+        }, signals);
         return first_load_;
     }
     /** Describes everything in a frame that turns about a fixed axis at a constant rate, in place
@@ -2280,8 +2296,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     void set_turning_frame(const Vector3 &axis, double rate,
         const std::optional<Vector3> &point = {})
     {
-        detail::check(pdn_model_set_turning_frame(get(), axis.data(), rate,
-            point ? point->data() : nullptr));
+        detail::check(pdn_model_set_turning_frame(get(), detail::in(axis), rate,
+            detail::in(point)));
     }
     /** The frame that a model is described in, if it turns. */
     ModelTurningFrame turning_frame() const
@@ -2300,8 +2316,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     {
         const std::size_t count = nodes.size();
         const std::size_t hub_count = hub.size();
-        detail::check(pdn_model_set_rotor_symmetry(get(), axis.data(), blades, nodes.data(), count,
-            hub.data(), hub_count, point ? point->data() : nullptr));
+        detail::check(pdn_model_set_rotor_symmetry(get(), detail::in(axis), blades,
+            detail::in(nodes), count, detail::in(hub), hub_count, detail::in(point)));
     }
     /** The rotor whose blades were said to be alike. */
     ModelRotorSymmetry rotor_symmetry() const
@@ -2328,7 +2344,7 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     {
         const std::size_t count = nodes.size();
         std::int32_t element = 0;
-        detail::check(pdn_model_add_shell_element(get(), nodes.data(), count, n_xi, &section,
+        detail::check(pdn_model_add_shell_element(get(), detail::in(nodes), count, n_xi, &section,
             placement.get(), &element));
         return element;
     }
@@ -2340,7 +2356,7 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     {
         pdn_shell shell{};
         detail::check(pdn_model_add_shell(get(), &surface, elements_u, elements_v, degree_u,
-            degree_v, join ? 1 : 0, &section, placement.get(), &shell));
+            degree_v, detail::in(join), &section, placement.get(), &shell));
         return shell;
     }
     /** Adds a shell over given positions of its nodes, as ::pdn_model_add_shell does over a
@@ -2351,8 +2367,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     {
         const std::size_t count = points.size();
         pdn_shell shell{};
-        detail::check(pdn_model_add_shell_grid(get(), detail::flat(points), count, elements_u,
-            elements_v, degree_u, degree_v, join ? 1 : 0, &section, placement.get(), &shell));
+        detail::check(pdn_model_add_shell_grid(get(), detail::in(points), count, elements_u,
+            elements_v, degree_u, degree_v, detail::in(join), &section, placement.get(), &shell));
         return shell;
     }
     /** Adds a shell element for each cell of a mesh of quadrilaterals, as mesh generators make
@@ -2364,8 +2380,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         const std::size_t point_count = points.size();
         const std::size_t count = cells.size();
         std::int32_t first_element = 0;
-        detail::check(pdn_model_add_shell_quadrilaterals(get(), detail::flat(points), point_count,
-            cells.data(), count, points_of_cell, degree, &section, placement.get(),
+        detail::check(pdn_model_add_shell_quadrilaterals(get(), detail::in(points), point_count,
+            detail::in(cells), count, points_of_cell, degree, &section, placement.get(),
             &first_element));
         return first_element;
     }
@@ -2396,10 +2412,10 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         ShellPlace place, Frame frame, Component component, const Signal &signal)
     {
         std::int32_t load = 0;
-        take({&signal}, [&] {
-            return pdn_model_add_shell_load(get(), first_element, elements, detail::c(place),
-            detail::c(frame), detail::c(component), &signal, &load);
-        });
+        take([&] {
+            return pdn_model_add_shell_load(get(), first_element, elements, detail::in(place),
+            detail::in(frame), detail::in(component), &signal, &load);
+        }, signal);
         return load;
     }
     /** Gives shell elements forces and moments where nothing is strained: initial stress, in place
@@ -2408,7 +2424,7 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         const std::array<double, 12> &resultants)
     {
         detail::check(pdn_model_set_shell_prestress(get(), first_element, elements,
-            resultants.data()));
+            detail::in(resultants)));
     }
     /** Fixes nodes to a body, by a rigid joint each as ::pdn_model_add_rigid_joint makes: such as
      * the nodes along an edge of a shell, which then moves as a part of the body. */
@@ -2417,8 +2433,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         const std::size_t count = nodes.size();
         std::int32_t first_joint_ = 0;
         std::int32_t joints = 0;
-        detail::check(pdn_model_add_rigid_joints(get(), body, nodes.data(), count, &first_joint_,
-            &joints));
+        detail::check(pdn_model_add_rigid_joints(get(), body, detail::in(nodes), count,
+            &first_joint_, &joints));
         return {first_joint_, joints};
     }
     /** Fixes a whole edge of a shell over a surface or a grid to a body:
@@ -2427,8 +2443,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     {
         std::int32_t first_joint_ = 0;
         std::int32_t joints = 0;
-        detail::check(pdn_model_add_rigid_edge(get(), body, &shell, detail::c(edge), &first_joint_,
-            &joints));
+        detail::check(pdn_model_add_rigid_edge(get(), body, &shell, detail::in(edge),
+            &first_joint_, &joints));
         return {first_joint_, joints};
     }
     /** Number of forces: springs, dampers, actuators and the like, but not loads; their ids follow
@@ -2445,7 +2461,7 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         double damping = 0.0, double rest = 0.0)
     {
         std::int32_t force = 0;
-        detail::check(pdn_model_add_spring_damper(get(), joint, detail::c(coordinate), stiffness,
+        detail::check(pdn_model_add_spring_damper(get(), joint, detail::in(coordinate), stiffness,
             damping, rest, &force));
         return force;
     }
@@ -2457,8 +2473,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         const std::size_t stiffness_count = stiffness.size();
         const std::size_t damping_count = damping.size();
         std::int32_t force = 0;
-        detail::check(pdn_model_add_nonlinear_spring_damper(get(), joint, detail::c(coordinate),
-            detail::data_or_null(stiffness), stiffness_count, detail::data_or_null(damping),
+        detail::check(pdn_model_add_nonlinear_spring_damper(get(), joint, detail::in(coordinate),
+            detail::in_or_null(stiffness), stiffness_count, detail::in_or_null(damping),
             damping_count, rest, &force));
         return force;
     }
@@ -2467,9 +2483,9 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     std::int32_t add_actuator(std::int32_t joint, Coordinate coordinate, const Signal &signal)
     {
         std::int32_t force = 0;
-        take({&signal}, [&] {
-            return pdn_model_add_actuator(get(), joint, detail::c(coordinate), &signal, &force);
-        });
+        take([&] {
+            return pdn_model_add_actuator(get(), joint, detail::in(coordinate), &signal, &force);
+        }, signal);
         return force;
     }
     /** Adds a viscoelastic element on a joint coordinate: a generalised Maxwell model. */
@@ -2479,8 +2495,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         const std::size_t branches = detail::common({{"branch_stiffness", branch_stiffness.size()},
             {"relaxation_times", relaxation_times.size()}}, false);
         std::int32_t force = 0;
-        detail::check(pdn_model_add_viscoelastic(get(), joint, detail::c(coordinate), stiffness,
-            rest, branch_stiffness.data(), relaxation_times.data(), branches, &force));
+        detail::check(pdn_model_add_viscoelastic(get(), joint, detail::in(coordinate), stiffness,
+            rest, detail::in(branch_stiffness), detail::in(relaxation_times), branches, &force));
         return force;
     }
     /** Adds a viscous damper between two bodies, with a full matrix of coefficients. */
@@ -2489,7 +2505,7 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     {
         std::int32_t force = 0;
         detail::check(pdn_model_add_viscous_damper(get(), first, second, frame ? &*frame : nullptr,
-            matrix.data(), &force));
+            detail::in(matrix), &force));
         return force;
     }
     /** Adds a bushing, a bearing or a seal: any matrices of stiffness and damping between two
@@ -2500,7 +2516,7 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     {
         std::int32_t force = 0;
         detail::check(pdn_model_add_bushing(get(), first, second, &first_frame, &second_frame,
-            stiffness.data(), damping.data(), detail::c(angles), &force));
+            detail::in(stiffness), detail::in(damping), detail::in(angles), &force));
         return force;
     }
     /** Adds a spring-damper on a joint coordinate whose law is a function of the caller. */
@@ -2509,8 +2525,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     {
         std::int32_t force = 0;
         detail::hand_over(std::move(function), [&](void *owned, pdn_destroy_fn destroy) {
-            return pdn_model_add_coordinate_law(get(), joint, detail::c(coordinate),
-            detail::c(detail::tangents_of<Function>), &detail::coordinate_law_fn<Function>, owned,
+            return pdn_model_add_coordinate_law(get(), joint, detail::in(coordinate),
+            detail::in(detail::tangents_of<Function>), &detail::coordinate_law_fn<Function>, owned,
             destroy, &force);
         });
         return force;
@@ -2522,8 +2538,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         const std::size_t count = nodes.size();
         std::int32_t force = 0;
         detail::hand_over(std::move(function), [&](void *owned, pdn_destroy_fn destroy) {
-            return pdn_model_add_user_force(get(), nodes.data(), count, detail::c(frame),
-            detail::c(tangents), &detail::user_force_fn<Function>, owned, destroy, &force);
+            return pdn_model_add_user_force(get(), detail::in(nodes), count, detail::in(frame),
+            detail::in(tangents), &detail::user_force_fn<Function>, owned, destroy, &force);
         });
         return force;
     }
@@ -2547,14 +2563,12 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
             {"output_coordinates", output_coordinates.size()}}, false);
         const std::size_t state_count = detail::common({{"initial", initial.size()},
             {"sizes", sizes.size()}}, true);
-        const auto input_coordinates_in_c = detail::codes(input_coordinates);
-        const auto output_coordinates_in_c = detail::codes(output_coordinates);
         std::int32_t force = 0;
         detail::hand_over(std::move(function), [&](void *owned, pdn_destroy_fn destroy) {
-            return pdn_model_add_controller(get(), detail::data_or_null(input_joints),
-            detail::data_or_null(input_coordinates_in_c), input_count, output_joints.data(),
-            output_coordinates_in_c.data(), output_count, detail::data_or_null(initial),
-            detail::data_or_null(sizes), state_count, detail::c(tangents),
+            return pdn_model_add_controller(get(), detail::in_or_null(input_joints),
+            detail::in(input_coordinates), input_count, detail::in(output_joints),
+            detail::in(output_coordinates), output_count, detail::in_or_null(initial),
+            detail::in_or_null(sizes), state_count, detail::in(tangents),
             &detail::controller_fn<Function>, owned, destroy, &force);
         });
         return force;
@@ -2565,7 +2579,7 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     void bind_controller(std::int32_t force, Tangents tangents, Function function)
     {
         detail::hand_over(std::move(function), [&](void *owned, pdn_destroy_fn destroy) {
-            return pdn_model_bind_controller(get(), force, detail::c(tangents),
+            return pdn_model_bind_controller(get(), force, detail::in(tangents),
             &detail::controller_fn<Function>, owned, destroy);
         });
     }
@@ -2604,31 +2618,30 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     {
         std::int32_t first_force_ = 0;
         detail::hand_over(std::move(function), [&](void *owned, pdn_destroy_fn destroy) {
-            return pdn_model_add_surface_force(get(), first_element, elements, detail::c(place),
-            detail::c(frame), detail::c(tangents), &detail::surface_force_fn<Function>, owned,
+            return pdn_model_add_surface_force(get(), first_element, elements, detail::in(place),
+            detail::in(frame), detail::in(tangents), &detail::surface_force_fn<Function>, owned,
             destroy, &first_force_);
         });
         return first_force_;
     }
     /** Gives a node, joint, element, force, load or the like a label, in place of the one that it
      * has. */
-    void set_label(ObjectKind kind, std::int32_t id, const std::string &label = {})
+    void set_label(ObjectKind kind, std::int32_t id, const std::optional<std::string> &label = {})
     {
-        detail::check(pdn_model_set_label(get(), detail::c(kind), id,
-            detail::data_or_null(label)));
+        detail::check(pdn_model_set_label(get(), detail::in(kind), id, detail::in(label)));
     }
     /** The label of a node, joint, element, force, load or the like. */
     std::string label(ObjectKind kind, std::int32_t id) const
     {
         return text_of("model", [&](char *buffer, std::size_t capacity) {
-            return pdn_model_label(get(), detail::c(kind), id, buffer, capacity);
+            return pdn_model_label(get(), detail::in(kind), id, buffer, capacity);
         });
     }
     /** The node, joint, element, force, load or the like that has a label. */
     std::int32_t find_label(ObjectKind kind, const std::string &label) const
     {
         std::int32_t id = 0;
-        detail::check(pdn_model_find_label(get(), detail::c(kind), label.c_str(), &id));
+        detail::check(pdn_model_find_label(get(), detail::in(kind), detail::in(label), &id));
         return id;
     }
     /** Adds a parameter: a named number that moves what ::pdn_model_move_number and
@@ -2636,7 +2649,7 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     std::int32_t add_parameter(const std::string &name, double value, double scale)
     {
         std::int32_t out = 0;
-        detail::check(pdn_model_add_parameter(get(), name.c_str(), value, scale, &out));
+        detail::check(pdn_model_add_parameter(get(), detail::in(name), value, scale, &out));
         return out;
     }
     /** Number of parameters; their ids follow each other from PDN_FIRST_PARAMETER on. */
@@ -2665,7 +2678,7 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     std::int32_t find_parameter(const std::string &name) const
     {
         std::int32_t parameter = 0;
-        detail::check(pdn_model_find_parameter(get(), name.c_str(), &parameter));
+        detail::check(pdn_model_find_parameter(get(), detail::in(name), &parameter));
         return parameter;
     }
     /** Lets a parameter move a number of the model: it becomes `factor` times the parameter's
@@ -2673,7 +2686,7 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     void move_number(std::int32_t parameter, Number number, std::int32_t id, std::int32_t power,
         double factor)
     {
-        detail::check(pdn_model_move_number(get(), parameter, detail::c(number), id, power,
+        detail::check(pdn_model_move_number(get(), parameter, detail::in(number), id, power,
             factor));
     }
     /** Lets a parameter move a part of a signal: it becomes `factor` times the parameter's value,
@@ -2681,8 +2694,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     void move_signal(std::int32_t parameter, SignalOf place, std::int32_t id,
         std::int32_t component, SignalPart part, double factor)
     {
-        detail::check(pdn_model_move_signal(get(), parameter, detail::c(place), id, component,
-            detail::c(part), factor));
+        detail::check(pdn_model_move_signal(get(), parameter, detail::in(place), id, component,
+            detail::in(part), factor));
     }
     /** Gives a parameter another value, and all that it moves. */
     void set_parameter(std::int32_t parameter, double value)
@@ -2719,7 +2732,7 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     double force_number(std::int32_t force, Number number, std::int32_t index) const
     {
         double out = 0;
-        detail::check(pdn_model_force_number(get(), force, detail::c(number), index, &out));
+        detail::check(pdn_model_force_number(get(), force, detail::in(number), index, &out));
         return out;
     }
     /** A node of forces of the user. */
@@ -2806,8 +2819,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     {
         const std::size_t count = times.size();
         std::vector<double> values(count);
-        detail::check(pdn_model_sample_signal(get(), detail::c(place), id, component, period,
-            times.data(), count, values.data()));
+        detail::check(pdn_model_sample_signal(get(), detail::in(place), id, component, period,
+            detail::in(times), count, values.data()));
         return values;
     }
     /** Number of loads on nodes; their ids follow each other from PDN_FIRST_LOAD on. */
@@ -2904,13 +2917,13 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     /** Saves a model. */
     void save(const std::string &path) const
     {
-        detail::check(pdn_model_save(get(), path.c_str()));
+        detail::check(pdn_model_save(get(), detail::in(path)));
     }
     /** Loads a model that ::pdn_model_save saved; its ids are what they were. */
     static Model load(const std::string &path)
     {
         pdn_model *out = nullptr;
-        const pdn_status status = pdn_model_load(path.c_str(), &out);
+        const pdn_status status = pdn_model_load(detail::in(path), &out);
         Model made(out);
         detail::check(status);
         return made;
@@ -3062,8 +3075,8 @@ class Solution : public detail::Handle<pdn_solution, pdn_solution_free>
     std::vector<double> sample(const Quantity &quantity, Reals times) const
     {
         const std::size_t count = times.size();
-        std::vector<double> out(quantity.components() * count);
-        detail::check(pdn_solution_sample(get(), &quantity, times.data(), count, out.data()));
+        std::vector<double> out(count *quantity.components());
+        detail::check(pdn_solution_sample(get(), &quantity, detail::in(times), count, out.data()));
         return out;
     }
     /** The same of a quantity of C components: an array for each. */
@@ -3079,8 +3092,8 @@ class Solution : public detail::Handle<pdn_solution, pdn_solution_free>
             nullptr, nullptr));
         std::vector<double> mean(quantity.components());
         std::vector<double> rate(quantity.components());
-        std::vector<double> cosines(quantity.components() * harmonics);
-        std::vector<double> sines(quantity.components() * harmonics);
+        std::vector<double> cosines(harmonics *quantity.components());
+        std::vector<double> sines(harmonics *quantity.components());
         detail::check(pdn_solution_harmonics(get(), &quantity, harmonics, mean.data(), rate.data(),
             cosines.data(), sines.data()));
         return {std::move(mean), std::move(rate), std::move(cosines), std::move(sines)};
@@ -3101,7 +3114,7 @@ class Solution : public detail::Handle<pdn_solution, pdn_solution_free>
     Solution filtered(Filter filter, std::int32_t order) const
     {
         pdn_solution *out = nullptr;
-        const pdn_status status = pdn_solution_filtered(get(), detail::c(filter), order, &out);
+        const pdn_status status = pdn_solution_filtered(get(), detail::in(filter), order, &out);
         Solution made(out, kept());
         detail::check(status);
         return made;
@@ -3118,10 +3131,10 @@ class Solution : public detail::Handle<pdn_solution, pdn_solution_free>
         std::size_t parameters, const Conditions *conditions = nullptr,
         SensitivityOptions options = {}) const
     {
-        std::vector<double> derivatives(dependents * parameters);
+        std::vector<double> derivatives(parameters *dependents);
         detail::check(pdn_solution_sensitivities(get(), sensitivities.get(),
-            detail::optional(conditions, "conditions"), options.get(), derivatives.data(),
-            dependents, parameters));
+            detail::in(conditions, "conditions"), options.get(), derivatives.data(), dependents,
+            parameters));
         return derivatives;
     }
     /** Derivatives of a Floquet multiplier of a periodic solution by parameters of its model. */
@@ -3132,7 +3145,7 @@ class Solution : public detail::Handle<pdn_solution, pdn_solution_free>
         std::vector<double> re(parameters);
         std::vector<double> im(parameters);
         detail::check(pdn_solution_multiplier_sensitivities(get(), sensitivities.get(),
-            stability.get(), number, detail::optional(conditions, "conditions"), options.get(),
+            stability.get(), number, detail::in(conditions, "conditions"), options.get(),
             re.data(), im.data(), parameters));
         return {std::move(re), std::move(im)};
     }
@@ -3168,20 +3181,20 @@ class Solution : public detail::Handle<pdn_solution, pdn_solution_free>
     void write_vtk(Reals times, std::size_t points_per_element, const std::string &path) const
     {
         const std::size_t count = times.size();
-        detail::check(pdn_solution_write_vtk(get(), times.data(), count, points_per_element,
-            path.c_str()));
+        detail::check(pdn_solution_write_vtk(get(), detail::in(times), count, points_per_element,
+            detail::in(path)));
     }
     /** Saves a solution with its model, whether it has converged or not. */
     void save(const std::string &path) const
     {
-        detail::check(pdn_solution_save(get(), path.c_str()));
+        detail::check(pdn_solution_save(get(), detail::in(path)));
     }
     /** Loads a solution that ::pdn_solution_save saved: its quantities, diagnostics and report are
      * what they were. */
     static Solution load(const std::string &path)
     {
         pdn_solution *out = nullptr;
-        const pdn_status status = pdn_solution_load(path.c_str(), &out);
+        const pdn_status status = pdn_solution_load(detail::in(path), &out);
         Solution made(out);
         detail::check(status);
         return made;
@@ -3223,13 +3236,13 @@ class Branch : public detail::Handle<pdn_branch, pdn_branch_free>
     /** Saves a branch with its model and all its points. */
     void save(const std::string &path) const
     {
-        detail::check(pdn_branch_save(get(), path.c_str()));
+        detail::check(pdn_branch_save(get(), detail::in(path)));
     }
     /** Loads a branch that ::pdn_branch_save saved. */
     static Branch load(const std::string &path)
     {
         pdn_branch *out = nullptr;
-        const pdn_status status = pdn_branch_load(path.c_str(), &out);
+        const pdn_status status = pdn_branch_load(detail::in(path), &out);
         Branch made(out);
         detail::check(status);
         return made;
@@ -3278,8 +3291,8 @@ class Branch : public detail::Handle<pdn_branch, pdn_branch_free>
     void write_csv(const std::string &path, const std::vector<Quantity> &quantities = {}) const
     {
         const std::size_t count = quantities.size();
-        const std::vector<pdn_quantity> plain(quantities.begin(), quantities.end());
-        detail::check(pdn_branch_write_csv(get(), plain.data(), count, path.c_str()));
+        detail::check(pdn_branch_write_csv(get(), detail::in(quantities), count,
+            detail::in(path)));
     }
     /** Writes a chart of the exponents of small disturbances along a branch as CSV, as of Campbell:
      * of each point that is no event a line for each multiplier, but for conjugates and for those
@@ -3288,8 +3301,8 @@ class Branch : public detail::Handle<pdn_branch, pdn_branch_free>
         StabilityOptions options = {}) const
     {
         const std::size_t count = blades.size();
-        detail::check(pdn_branch_write_campbell(get(), options.get(), detail::data_or_null(blades),
-            count, path.c_str()));
+        detail::check(pdn_branch_write_campbell(get(), options.get(), detail::in_or_null(blades),
+            count, detail::in(path)));
     }
 };
 
@@ -3311,9 +3324,9 @@ struct EquationsOptions : pdn_equations_options {
     /** As the library takes it, valid while this object stays as it is. */
     const pdn_equations_options *get()
     {
-        pdn_equations_options::initial = detail::optional(initial, "options.initial");
-        pdn_equations_options::owners = detail::data_or_null(owners);
-        pdn_equations_options::preconditioner = detail::c(preconditioner);
+        pdn_equations_options::initial = detail::in(initial, "options.initial");
+        pdn_equations_options::owners = detail::in_or_null(owners);
+        pdn_equations_options::preconditioner = detail::in(preconditioner);
         pdn_equations_options::owner_count = detail::common({{"owners", owners.size()}}, true);
         return this;
     }
@@ -3400,8 +3413,8 @@ class Equations : public detail::Handle<pdn_equations, pdn_equations_free>
     {
         const std::size_t motion_count = sizes().motions;
         const std::size_t own_count = sizes().own_unknowns;
-        detail::check(pdn_equations_set_state(get(), motions.data(), motion_count,
-            own_unknowns.data(), own_count));
+        detail::check(pdn_equations_set_state(get(), detail::in(motions), motion_count,
+            detail::in(own_unknowns), own_count));
     }
     /** The scaled residual at the present state. */
     std::vector<double> residual()
@@ -3422,7 +3435,7 @@ class Equations : public detail::Handle<pdn_equations, pdn_equations_free>
     {
         const std::size_t count = sizes().size;
         std::vector<double> out(count);
-        detail::check(pdn_equations_product(get(), x.data(), out.data(), count));
+        detail::check(pdn_equations_product(get(), detail::in(x), out.data(), count));
         return out;
     }
     /** The product of the transposed scaled Jacobian and a vector. */
@@ -3430,7 +3443,7 @@ class Equations : public detail::Handle<pdn_equations, pdn_equations_free>
     {
         const std::size_t count = sizes().size;
         std::vector<double> out(count);
-        detail::check(pdn_equations_transposed_product(get(), x.data(), out.data(), count));
+        detail::check(pdn_equations_transposed_product(get(), detail::in(x), out.data(), count));
         return out;
     }
     /** The product of a vector and what multiplies a power of mu in the scaled Jacobian for
@@ -3439,7 +3452,7 @@ class Equations : public detail::Handle<pdn_equations, pdn_equations_free>
     {
         const std::size_t count = sizes().size;
         std::vector<double> out(count);
-        detail::check(pdn_equations_power_product(get(), power, x.data(), out.data(), count));
+        detail::check(pdn_equations_power_product(get(), power, detail::in(x), out.data(), count));
         return out;
     }
     /** Factors the preconditioner of the linearised equations. */
@@ -3447,7 +3460,7 @@ class Equations : public detail::Handle<pdn_equations, pdn_equations_free>
     {
         const std::size_t count = sizes().size;
         std::int32_t regular = 0;
-        detail::check(pdn_equations_factor(get(), right_side.data(), count, &regular));
+        detail::check(pdn_equations_factor(get(), detail::in(right_side), count, &regular));
         return regular != 0;
     }
     /** The solution of the preconditioner's equations with a right side. */
@@ -3455,7 +3468,7 @@ class Equations : public detail::Handle<pdn_equations, pdn_equations_free>
     {
         const std::size_t count = sizes().size;
         std::vector<double> out(count);
-        detail::check(pdn_equations_precondition(get(), x.data(), out.data(), count));
+        detail::check(pdn_equations_precondition(get(), detail::in(x), out.data(), count));
         return out;
     }
     /** What a scaled increment leaves of the constraints by their compliance in the Jacobian, where
@@ -3465,7 +3478,7 @@ class Equations : public detail::Handle<pdn_equations, pdn_equations_free>
         const std::size_t count = sizes().size;
         std::vector<double> out(count);
         std::int32_t compliant = 0;
-        detail::check(pdn_equations_compliance(get(), increment.data(), out.data(), count,
+        detail::check(pdn_equations_compliance(get(), detail::in(increment), out.data(), count,
             &compliant));
         return {std::move(out), compliant != 0};
     }
@@ -3474,7 +3487,7 @@ class Equations : public detail::Handle<pdn_equations, pdn_equations_free>
     void update(Reals increment, double step = 1.0)
     {
         const std::size_t count = sizes().size;
-        detail::check(pdn_equations_update(get(), increment.data(), count, step));
+        detail::check(pdn_equations_update(get(), detail::in(increment), count, step));
     }
     /** Sizes of a scaled increment of all ranks, the same on all. */
     EquationsNorms norms(Reals increment) const
@@ -3482,7 +3495,8 @@ class Equations : public detail::Handle<pdn_equations, pdn_equations_free>
         const std::size_t count = sizes().size;
         double motion = 0;
         double own_unknown = 0;
-        detail::check(pdn_equations_norms(get(), increment.data(), count, &motion, &own_unknown));
+        detail::check(pdn_equations_norms(get(), detail::in(increment), count, &motion,
+            &own_unknown));
         return {motion, own_unknown};
     }
     /** The present state of all ranks as a solution, for results, files, and what else solutions
@@ -3490,7 +3504,7 @@ class Equations : public detail::Handle<pdn_equations, pdn_equations_free>
     std::optional<Solution> solution(Outcome outcome, std::int32_t root = -1) const
     {
         pdn_solution *out = nullptr;
-        const pdn_status status = pdn_equations_solution(get(), root, detail::c(outcome), &out);
+        const pdn_status status = pdn_equations_solution(get(), root, detail::in(outcome), &out);
         Solution made(out, kept());
         detail::check(status);
         return made.get() ? std::optional<Solution>(std::move(made)) : std::nullopt;
@@ -3558,7 +3572,7 @@ class Modes : public detail::Handle<pdn_modes, pdn_modes_free>
         const std::size_t count = nodes.size();
         Series<6> real(count);
         Series<6> imaginary(count);
-        detail::check(pdn_modes_shape(get(), mode, nodes.data(), count, detail::flat(real),
+        detail::check(pdn_modes_shape(get(), mode, detail::in(nodes), count, detail::flat(real),
             detail::flat(imaginary)));
         return {std::move(real), std::move(imaginary)};
     }
@@ -3589,10 +3603,9 @@ class Table : public detail::Handle<pdn_table, pdn_table_free>
     /** Adds the columns of a quantity of a solution, named by the label and the component; or that
      * of one component, named by the label alone. */
     void add_quantity(const Solution &solution, const Quantity &quantity,
-        const std::string &label = {})
+        const std::optional<std::string> &label = {})
     {
-        detail::check(pdn_table_add_quantity(get(), solution.get(), &quantity,
-            detail::data_or_null(label)));
+        detail::check(pdn_table_add_quantity(get(), solution.get(), &quantity, detail::in(label)));
     }
     /** A table over these times, to choose columns for and to write as CSV. */
     explicit Table(Reals times) : Handle(nullptr)
@@ -3600,7 +3613,7 @@ class Table : public detail::Handle<pdn_table, pdn_table_free>
         detail::check(pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR));
         const std::size_t count = times.size();
         pdn_table *out = nullptr;
-        const pdn_status status = pdn_table_new(times.data(), count, &out);
+        const pdn_status status = pdn_table_new(detail::in(times), count, &out);
         own(out);
         detail::check(status);
     }
@@ -3608,12 +3621,12 @@ class Table : public detail::Handle<pdn_table, pdn_table_free>
     void add_values(const std::string &label, Reals values)
     {
         const std::size_t count = values.size();
-        detail::check(pdn_table_add_values(get(), label.c_str(), values.data(), count));
+        detail::check(pdn_table_add_values(get(), detail::in(label), detail::in(values), count));
     }
     /** Writes a table as a CSV file: a line of names, then a line for each time. */
     void write_csv(const std::string &path) const
     {
-        detail::check(pdn_table_write_csv(get(), path.c_str()));
+        detail::check(pdn_table_write_csv(get(), detail::in(path)));
     }
 };
 
@@ -3660,19 +3673,19 @@ struct PeriodicOptions : pdn_periodic_options {
     /** As the library takes it, valid while this object stays as it is. */
     const pdn_periodic_options *get(std::size_t nodes)
     {
-        pdn_periodic_options::initial = detail::optional(initial, "options.initial");
+        pdn_periodic_options::initial = detail::in(initial, "options.initial");
         pdn_periodic_options::guess_positions = detail::flat(guess_positions, nodes,
             harmonics != 0 ? 2 * harmonics + 1 : grid_points, "guess_positions");
         pdn_periodic_options::guess_rotations = detail::flat(guess_rotations, nodes,
             harmonics != 0 ? 2 * harmonics + 1 : grid_points, "guess_rotations");
         pdn_periodic_options::progress = progress ? &detail::progress_fn<Progress> : nullptr;
         pdn_periodic_options::progress_data = &progress;
-        pdn_periodic_options::linear_solver = detail::c(linear_solver);
-        pdn_periodic_options::start = detail::c(start);
-        pdn_periodic_options::time_map = detail::c(time_map);
-        pdn_periodic_options::event_times = detail::data_or_null(event_times);
-        pdn_periodic_options::event_widths = detail::data_or_null(event_widths);
-        pdn_periodic_options::event_shares = detail::data_or_null(event_shares);
+        pdn_periodic_options::linear_solver = detail::in(linear_solver);
+        pdn_periodic_options::start = detail::in(start);
+        pdn_periodic_options::time_map = detail::in(time_map);
+        pdn_periodic_options::event_times = detail::in_or_null(event_times);
+        pdn_periodic_options::event_widths = detail::in_or_null(event_widths);
+        pdn_periodic_options::event_shares = detail::in_or_null(event_shares);
         pdn_periodic_options::event_count = detail::common({{"event_times", event_times.size()},
             {"event_widths", event_widths.size()}, {"event_shares", event_shares.size()}}, true);
         return this;
@@ -3697,7 +3710,7 @@ struct BranchOptions : pdn_branch_options {
     const pdn_branch_options *get(std::size_t nodes)
     {
         pdn_branch_options::periodic = periodic.get(nodes);
-        pdn_branch_options::conditions = detail::optional(conditions, "options.conditions");
+        pdn_branch_options::conditions = detail::in(conditions, "options.conditions");
         pdn_branch_options::progress = progress ? &detail::branch_fn<BranchProgress> : nullptr;
         pdn_branch_options::progress_data = &progress;
         return this;
@@ -3718,7 +3731,7 @@ struct StaticOptions : pdn_static_options {
     /** As the library takes it, valid while this object stays as it is. */
     const pdn_static_options *get()
     {
-        pdn_static_options::initial = detail::optional(initial, "options.initial");
+        pdn_static_options::initial = detail::in(initial, "options.initial");
         pdn_static_options::progress = progress ? &detail::progress_fn<Progress> : nullptr;
         pdn_static_options::progress_data = &progress;
         return this;
@@ -3765,7 +3778,7 @@ struct MarchOptions : pdn_march_options {
     /** As the library takes it, valid while this object stays as it is. */
     const pdn_march_options *get(std::size_t nodes)
     {
-        pdn_march_options::initial = detail::optional(initial, "options.initial");
+        pdn_march_options::initial = detail::in(initial, "options.initial");
         pdn_march_options::positions = detail::flat(positions, nodes, 1, "positions");
         pdn_march_options::rotations = detail::flat(rotations, nodes, 1, "rotations");
         pdn_march_options::velocities = detail::flat(velocities, nodes, 1, "velocities");
@@ -3791,7 +3804,7 @@ struct ShootingOptions : pdn_shooting_options {
     /** As the library takes it, valid while this object stays as it is. */
     const pdn_shooting_options *get()
     {
-        pdn_shooting_options::initial = detail::optional(initial, "options.initial");
+        pdn_shooting_options::initial = detail::in(initial, "options.initial");
         pdn_shooting_options::progress = progress ? &detail::progress_fn<Progress> : nullptr;
         pdn_shooting_options::progress_data = &progress;
         return this;
@@ -3826,7 +3839,7 @@ inline std::string status_message(pdn_status status)
  * whose own functions fail. */
 inline void set_last_error(const std::string &message)
 {
-    detail::check(pdn_set_last_error(message.c_str()));
+    detail::check(pdn_set_last_error(detail::in(message)));
 }
 
 /** What the last failing callback on this thread returned. */
@@ -3838,7 +3851,7 @@ inline std::int32_t last_callback_code()
 /** Chooses whether internal errors are also printed to stderr. */
 inline void set_panic_printing(bool enabled)
 {
-    pdn_set_panic_printing(enabled ? 1 : 0);
+    pdn_set_panic_printing(detail::in(enabled));
 }
 
 /** Finds the periodic response of a model directly, by Fourier spectral collocation. */
@@ -4003,8 +4016,8 @@ inline MotionInterpolate motion_interpolate(double period, const Series<3> &posi
     Series<9> rotation(count);
     Series<6> velocity(count);
     Series<6> acceleration(count);
-    detail::check(pdn_motion_interpolate(period, detail::flat(positions), detail::flat(rotations),
-        points, times.data(), count, detail::flat(position), detail::flat(rotation),
+    detail::check(pdn_motion_interpolate(period, detail::in(positions), detail::in(rotations),
+        points, detail::in(times), count, detail::flat(position), detail::flat(rotation),
         detail::flat(velocity), detail::flat(acceleration)));
     return {std::move(position), std::move(rotation), std::move(velocity),
         std::move(acceleration)};
@@ -4031,11 +4044,11 @@ inline MotionGridKinematics motion_grid_kinematics(double period, const Series<3
         {"rotations", rotations.size()}}, false);
     Series<6> velocity(points);
     Series<6> acceleration(points);
-    std::vector<double> velocity_tangent(36 * points * points);
-    std::vector<double> acceleration_tangent(36 * points * points);
-    detail::check(pdn_motion_grid_kinematics(period, detail::flat(positions),
-        detail::flat(rotations), points, detail::flat(velocity), detail::flat(acceleration),
-        velocity_tangent.data(), acceleration_tangent.data()));
+    std::vector<double> velocity_tangent(6 *points *6 *points);
+    std::vector<double> acceleration_tangent(6 *points *6 *points);
+    detail::check(pdn_motion_grid_kinematics(period, detail::in(positions), detail::in(rotations),
+        points, detail::flat(velocity), detail::flat(acceleration), velocity_tangent.data(),
+        acceleration_tangent.data()));
     return {std::move(velocity), std::move(acceleration), std::move(velocity_tangent),
         std::move(acceleration_tangent)};
 }

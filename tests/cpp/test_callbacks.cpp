@@ -138,8 +138,8 @@ static void laws_and_forces()
             });
         NEAR(angle(o), expected, 1e-12);
         const auto check = o.model.check_tangents(force, period);
-        CHECK(check.tangent == pdn::detail::c(pdn::Tangent::motion) ||
-              check.tangent == pdn::detail::c(pdn::Tangent::velocity));
+        CHECK(check.tangent == pdn::detail::in(pdn::Tangent::motion) ||
+              check.tangent == pdn::detail::in(pdn::Tangent::velocity));
     }
 }
 

@@ -16,7 +16,7 @@ int main()
     int steps = 0;
     options.progress = [&](const pdn_progress &progress) {
         // It is told within steps that last, too.
-        steps += progress.iterated && progress.stage == pdn::detail::c(pdn::Stage::march);
+        steps += progress.iterated && progress.stage == pdn::detail::in(pdn::Stage::march);
         return true;
     };
     const auto free = pdn::march(o.model, options);

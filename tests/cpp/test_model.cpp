@@ -36,7 +36,7 @@ static void solution()
     options.grid_points = 31;
     int told = 0;
     options.progress = [&](const pdn_progress &progress) {
-        told += progress.stage == pdn::detail::c(pdn::Stage::newton);
+        told += progress.stage == pdn::detail::in(pdn::Stage::newton);
         return true;
     };
     const pdn::Solution solution = pdn::solve_periodic(o.model, period, options);
