@@ -574,55 +574,6 @@ using Matrix6 = std::array<double, 36>;
 /** C components at each of many times, or for each of many harmonics. */
 template <std::size_t C> using Series = std::vector<std::array<double, C>>;
 
-/** What the caller has many of, looked at during a call only. */
-template <class T> class View
-{
-  public:
-    using value_type = T;
-
-    View() = default;
-    View(const T *data, std::size_t size) : data_(size == 0 ? &nothing : data), size_(size)
-    {
-    }
-    View(const std::vector<T> &vector) : View(vector.data(), vector.size())
-    {
-    }
-    View(std::initializer_list<T> list) : View(list.begin(), list.size())
-    {
-    }
-    template <std::size_t N> View(const std::array<T, N> &array) : View(array.data(), N)
-    {
-    }
-    template <std::size_t N> View(const T (&array)[N]) : View(array, N)
-    {
-    }
-    const T *data() const
-    {
-        return data_;
-    }
-    std::size_t size() const
-    {
-        return size_;
-    }
-    const T *begin() const
-    {
-        return data_;
-    }
-    const T *end() const
-    {
-        return data_ + size_;
-    }
-
-  private:
-    static constexpr T nothing{}; // so that none is no NULL
-    const T *data_ = &nothing;
-    std::size_t size_ = 0;
-};
-/** Numbers of the caller. */
-using Reals = View<double>;
-/** Ids of the caller. */
-using Ids = View<std::int32_t>;
-
 /** What a call that fails throws: the status, and what was expected and what came. */
 class error : public std::runtime_error
 {
@@ -765,9 +716,18 @@ constexpr std::int32_t in(Choice enumerator_or_bool)
 {
     return static_cast<std::int32_t>(enumerator_or_bool);
 }
-template <class Array> auto in(const Array &array) -> decltype(array.data())
+inline const char *in(const std::string &text)
+{
+    return text.c_str();
+}
+template <std::size_t N> const double *in(const std::array<double, N> &array)
 {
     return array.data();
+}
+template <class T> const T *in(const std::vector<T> &array)
+{
+    static constexpr T nothing{}; // so that none is no NULL
+    return array.empty() ? &nothing : array.data();
 }
 template <std::size_t C> const double *in(const Series<C> &series)
 {
@@ -786,9 +746,9 @@ template <class T> auto in(const T *object, const char *name) -> decltype(object
     }
     return object == nullptr ? nullptr : object->get();
 }
-template <class T> const typename T::value_type *in_or_null(const T &array)
+template <class T> const T *in_or_null(const std::vector<T> &array)
 {
-    return array.size() == 0 ? nullptr : array.data();
+    return array.empty() ? nullptr : array.data();
 }
 /** What is converted one by one, and there until the call has ended. */
 template <class T> struct Converted : std::vector<T> {
@@ -797,12 +757,11 @@ template <class T> struct Converted : std::vector<T> {
         return this->data();
     }
 };
-template <class Enum, class = std::enable_if_t<std::is_enum_v<Enum>>>
-Converted<std::int32_t> in(View<Enum> choices)
+inline Converted<std::int32_t> in(const std::vector<Coordinate> &coordinates)
 {
     Converted<std::int32_t> codes;
-    for (const Enum choice : choices) {
-        codes.push_back(in(choice));
+    for (const Coordinate coordinate : coordinates) {
+        codes.push_back(in(coordinate));
     }
     return codes;
 }
@@ -973,8 +932,7 @@ struct SurfaceState {
     /** Velocity and angular velocity of each point relative to the inertial frame, also in a steady
      * rotation (::pdn_solve_static), along the global axes (PDN_FRAME_SPACE) or the point's own
      * (PDN_FRAME_MATERIAL). */
-    const Entries<const double, 2> velocities{state.velocities, {{{state.point_count, 6},
-        {6, 1}}}};
+    const Entries<const double, 2> velocities{state.velocities, {{{state.point_count, 6}, {6, 1}}}};
 };
 
 /** Where a user's forces on a shell element go. */
@@ -2031,8 +1989,7 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     std::int32_t add_node(const Vector3 &position, const std::optional<Matrix3> &rotation = {})
     {
         std::int32_t node = 0;
-        detail::check(pdn_model_add_node(get(), detail::in(position), detail::in(rotation),
-            &node));
+        detail::check(pdn_model_add_node(get(), detail::in(position), detail::in(rotation), &node));
         return node;
     }
     /** Adds a rigid body: a node at its centre of mass, with axes parallel to the global ones. */
@@ -2181,7 +2138,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         return count;
     }
     /** Adds a linear relation between joint coordinates: gears, belts, racks, differentials. */
-    std::int32_t add_relation(Ids joints, View<Coordinate> coordinates, Reals coefficients,
+    std::int32_t add_relation(const std::vector<std::int32_t> &joints,
+        const std::vector<Coordinate> &coordinates, const std::vector<double> &coefficients,
         const std::optional<Signal> &signal = {})
     {
         const std::size_t count = detail::common({{"joints", joints.size()},
@@ -2189,12 +2147,12 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         std::int32_t relation = 0;
         take([&] {
             return pdn_model_add_relation(get(), detail::in(joints), detail::in(coordinates),
-            detail::in(coefficients), count, signal ? &*signal : nullptr, &relation);
+                detail::in(coefficients), count, signal ? &*signal : nullptr, &relation);
         }, signal);
         return relation;
     }
     /** Adds a beam element over nodes that are there; it may be curved and twisted. */
-    std::int32_t add_beam_element(Ids nodes, const Section &section)
+    std::int32_t add_beam_element(const std::vector<std::int32_t> &nodes, const Section &section)
     {
         const std::size_t count = nodes.size();
         std::int32_t element = 0;
@@ -2212,8 +2170,7 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         return beam;
     }
     /** Adds a beam along a line, with sections that may vary: its nodes and elements. */
-    pdn_beam add_beam(const Line &line, Stations stations, std::size_t elements,
-        std::size_t degree)
+    pdn_beam add_beam(const Line &line, Stations stations, std::size_t elements, std::size_t degree)
     {
         pdn_beam beam{};
         detail::check(pdn_model_add_beam(get(), &line, stations.get(), elements, degree, &beam));
@@ -2221,8 +2178,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     }
     /** Adds a beam along a line as ::pdn_model_add_beam does, with elements between given
      * places. */
-    pdn_beam add_beam_between(const Line &line, Stations stations, Reals boundaries,
-        std::size_t degree)
+    pdn_beam add_beam_between(const Line &line, Stations stations,
+        const std::vector<double> &boundaries, std::size_t degree)
     {
         const std::size_t elements = boundaries.size() == 0 ? 0 : boundaries.size() - 1;
         pdn_beam beam{};
@@ -2231,13 +2188,12 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         return beam;
     }
     /** Adds one component of a force or moment on a node, in addition to those that are there. */
-    std::int32_t add_load(std::int32_t node, Frame frame, Component component,
-        const Signal &signal)
+    std::int32_t add_load(std::int32_t node, Frame frame, Component component, const Signal &signal)
     {
         std::int32_t load = 0;
         take([&] {
             return pdn_model_add_load(get(), node, detail::in(frame), detail::in(component),
-            &signal, &load);
+                &signal, &load);
         }, signal);
         return load;
     }
@@ -2253,24 +2209,24 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     {
         take([&] {
             return pdn_model_set_gravity_signals(get(),
-            acceleration_1 ? &*acceleration_1 : nullptr,
-            acceleration_2 ? &*acceleration_2 : nullptr,
-            acceleration_3 ? &*acceleration_3 : nullptr);
+                acceleration_1 ? &*acceleration_1 : nullptr,
+                acceleration_2 ? &*acceleration_2 : nullptr,
+                acceleration_3 ? &*acceleration_3 : nullptr);
         }, acceleration_1, acceleration_2, acceleration_3);
     }
     /** Adds one component of a force or moment distributed along beam elements, in addition to
      * those that are there. */
     std::int32_t add_distributed_load(std::int32_t first_element, std::int32_t elements,
-        Frame frame, Component component, const Signal &signal, Reals fractions = {},
-        Reals factors = {})
+        Frame frame, Component component, const Signal &signal,
+        const std::vector<double> &fractions = {}, const std::vector<double> &factors = {})
     {
         const std::size_t count = detail::common({{"fractions", fractions.size()},
             {"factors", factors.size()}}, true);
         std::int32_t load = 0;
         take([&] {
             return pdn_model_add_distributed_load(get(), first_element, elements,
-            detail::in(frame), detail::in(component), &signal, detail::in_or_null(fractions),
-            detail::in_or_null(factors), count, &load);
+                detail::in(frame), detail::in(component), &signal, detail::in_or_null(fractions),
+                detail::in_or_null(factors), count, &load);
         }, signal);
         return load;
     }
@@ -2278,7 +2234,7 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
      * once, in addition to those that are there: such as the air loads of a blade, at the places
      * where these are computed. */
     std::int32_t add_load_at_places(std::int32_t first_element, std::int32_t elements, Frame frame,
-        Reals fractions, const std::vector<std::array<Signal, 6>> &signals,
+        const std::vector<double> &fractions, const std::vector<std::array<Signal, 6>> &signals,
         const std::optional<Vector3> &axis_2 = {})
     {
         const std::size_t count = detail::common({{"fractions", fractions.size()},
@@ -2286,7 +2242,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         std::int32_t first_load_ = 0;
         take([&] {
             return pdn_model_add_load_at_places(get(), first_element, elements, detail::in(frame),
-            detail::in(axis_2), detail::in(fractions), detail::in(signals), count, &first_load_);
+                detail::in(axis_2), detail::in(fractions), detail::in(signals), count,
+                &first_load_);
         }, signals);
         return first_load_;
     }
@@ -2311,7 +2268,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     /** Says that the blades of a rotor are alike, in place of what was said before: periodic
      * solves, also under conditions, then solve for one blade, the hub and the supports, and the
      * others follow. */
-    void set_rotor_symmetry(const Vector3 &axis, std::int32_t blades, Ids nodes, Ids hub,
+    void set_rotor_symmetry(const Vector3 &axis, std::int32_t blades,
+        const std::vector<std::int32_t> &nodes, const std::vector<std::int32_t> &hub,
         const std::optional<Vector3> &point = {})
     {
         const std::size_t count = nodes.size();
@@ -2339,8 +2297,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         return node;
     }
     /** Adds a shell element over a grid of nodes that are there. */
-    std::int32_t add_shell_element(Ids nodes, std::size_t n_xi, const ShellSection &section,
-        ShellPlacement placement = {})
+    std::int32_t add_shell_element(const std::vector<std::int32_t> &nodes, std::size_t n_xi,
+        const ShellSection &section, ShellPlacement placement = {})
     {
         const std::size_t count = nodes.size();
         std::int32_t element = 0;
@@ -2373,9 +2331,9 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     }
     /** Adds a shell element for each cell of a mesh of quadrilaterals, as mesh generators make
      * them. */
-    std::int32_t add_shell_quadrilaterals(const Series<3> &points, Ids cells,
-        std::size_t points_of_cell, std::size_t degree, const ShellSection &section,
-        ShellPlacement placement = {})
+    std::int32_t add_shell_quadrilaterals(const Series<3> &points,
+        const std::vector<std::int32_t> &cells, std::size_t points_of_cell, std::size_t degree,
+        const ShellSection &section, ShellPlacement placement = {})
     {
         const std::size_t point_count = points.size();
         const std::size_t count = cells.size();
@@ -2414,7 +2372,7 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         std::int32_t load = 0;
         take([&] {
             return pdn_model_add_shell_load(get(), first_element, elements, detail::in(place),
-            detail::in(frame), detail::in(component), &signal, &load);
+                detail::in(frame), detail::in(component), &signal, &load);
         }, signal);
         return load;
     }
@@ -2428,7 +2386,7 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     }
     /** Fixes nodes to a body, by a rigid joint each as ::pdn_model_add_rigid_joint makes: such as
      * the nodes along an edge of a shell, which then moves as a part of the body. */
-    ModelRigidJoints add_rigid_joints(std::int32_t body, Ids nodes)
+    ModelRigidJoints add_rigid_joints(std::int32_t body, const std::vector<std::int32_t> &nodes)
     {
         const std::size_t count = nodes.size();
         std::int32_t first_joint_ = 0;
@@ -2468,7 +2426,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     /** Adds a nonlinear spring with a damper on a joint coordinate: polynomials of the coordinate
      * and its rate. */
     std::int32_t add_nonlinear_spring_damper(std::int32_t joint, Coordinate coordinate,
-        Reals stiffness = {}, Reals damping = {}, double rest = 0.0)
+        const std::vector<double> &stiffness = {}, const std::vector<double> &damping = {},
+        double rest = 0.0)
     {
         const std::size_t stiffness_count = stiffness.size();
         const std::size_t damping_count = damping.size();
@@ -2490,7 +2449,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     }
     /** Adds a viscoelastic element on a joint coordinate: a generalised Maxwell model. */
     std::int32_t add_viscoelastic(std::int32_t joint, Coordinate coordinate, double stiffness,
-        double rest, Reals branch_stiffness, Reals relaxation_times)
+        double rest, const std::vector<double> &branch_stiffness,
+        const std::vector<double> &relaxation_times)
     {
         const std::size_t branches = detail::common({{"branch_stiffness", branch_stiffness.size()},
             {"relaxation_times", relaxation_times.size()}}, false);
@@ -2526,20 +2486,21 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         std::int32_t force = 0;
         detail::hand_over(std::move(function), [&](void *owned, pdn_destroy_fn destroy) {
             return pdn_model_add_coordinate_law(get(), joint, detail::in(coordinate),
-            detail::in(detail::tangents_of<Function>), &detail::coordinate_law_fn<Function>, owned,
-            destroy, &force);
+                detail::in(detail::tangents_of<Function>), &detail::coordinate_law_fn<Function>,
+                owned, destroy, &force);
         });
         return force;
     }
     /** Adds forces on nodes that a function of the caller computes. */
     template <class Function>
-    std::int32_t add_user_force(Ids nodes, Frame frame, Tangents tangents, Function function)
+    std::int32_t add_user_force(const std::vector<std::int32_t> &nodes, Frame frame,
+        Tangents tangents, Function function)
     {
         const std::size_t count = nodes.size();
         std::int32_t force = 0;
         detail::hand_over(std::move(function), [&](void *owned, pdn_destroy_fn destroy) {
             return pdn_model_add_user_force(get(), detail::in(nodes), count, detail::in(frame),
-            detail::in(tangents), &detail::user_force_fn<Function>, owned, destroy, &force);
+                detail::in(tangents), &detail::user_force_fn<Function>, owned, destroy, &force);
         });
         return force;
     }
@@ -2553,9 +2514,11 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     /** Adds a controller: efforts on joint coordinates by a function of the caller that reads any
      * joint coordinates and their rates, and may have states of its own. */
     template <class Function>
-    std::int32_t add_controller(Ids input_joints, View<Coordinate> input_coordinates,
-        Ids output_joints, View<Coordinate> output_coordinates, Reals initial, Reals sizes,
-        Tangents tangents, Function function)
+    std::int32_t add_controller(const std::vector<std::int32_t> &input_joints,
+        const std::vector<Coordinate> &input_coordinates,
+        const std::vector<std::int32_t> &output_joints,
+        const std::vector<Coordinate> &output_coordinates, const std::vector<double> &initial,
+        const std::vector<double> &sizes, Tangents tangents, Function function)
     {
         const std::size_t input_count = detail::common({{"input_joints", input_joints.size()},
             {"input_coordinates", input_coordinates.size()}}, true);
@@ -2566,10 +2529,10 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         std::int32_t force = 0;
         detail::hand_over(std::move(function), [&](void *owned, pdn_destroy_fn destroy) {
             return pdn_model_add_controller(get(), detail::in_or_null(input_joints),
-            detail::in(input_coordinates), input_count, detail::in(output_joints),
-            detail::in(output_coordinates), output_count, detail::in_or_null(initial),
-            detail::in_or_null(sizes), state_count, detail::in(tangents),
-            &detail::controller_fn<Function>, owned, destroy, &force);
+                detail::in(input_coordinates), input_count, detail::in(output_joints),
+                detail::in(output_coordinates), output_count, detail::in_or_null(initial),
+                detail::in_or_null(sizes), state_count, detail::in(tangents),
+                &detail::controller_fn<Function>, owned, destroy, &force);
         });
         return force;
     }
@@ -2580,7 +2543,7 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     {
         detail::hand_over(std::move(function), [&](void *owned, pdn_destroy_fn destroy) {
             return pdn_model_bind_controller(get(), force, detail::in(tangents),
-            &detail::controller_fn<Function>, owned, destroy);
+                &detail::controller_fn<Function>, owned, destroy);
         });
     }
     /** Numbers of the coordinates that a controller reads, of those that it acts on, and of its
@@ -2619,8 +2582,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         std::int32_t first_force_ = 0;
         detail::hand_over(std::move(function), [&](void *owned, pdn_destroy_fn destroy) {
             return pdn_model_add_surface_force(get(), first_element, elements, detail::in(place),
-            detail::in(frame), detail::in(tangents), &detail::surface_force_fn<Function>, owned,
-            destroy, &first_force_);
+                detail::in(frame), detail::in(tangents), &detail::surface_force_fn<Function>,
+                owned, destroy, &first_force_);
         });
         return first_force_;
     }
@@ -2815,7 +2778,7 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     }
     /** Values of a signal of the model in time. */
     std::vector<double> sample_signal(SignalOf place, std::int32_t id, std::int32_t component,
-        double period, Reals times) const
+        double period, const std::vector<double> &times) const
     {
         const std::size_t count = times.size();
         std::vector<double> values(count);
@@ -2882,10 +2845,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         std::int32_t elements = 0;
         std::int32_t place = 0;
         std::int32_t frame = 0;
-        detail::check(pdn_model_shell_load(get(), load, &first_element, &elements, &place,
-            &frame));
-        return {first_element, elements, static_cast<ShellPlace>(place),
-            static_cast<Frame>(frame)};
+        detail::check(pdn_model_shell_load(get(), load, &first_element, &elements, &place, &frame));
+        return {first_element, elements, static_cast<ShellPlace>(place), static_cast<Frame>(frame)};
     }
     /** Counts, mass, degrees of freedom and mobility of a model in its reference configuration. */
     pdn_summary summary() const
@@ -3072,7 +3033,7 @@ class Solution : public detail::Handle<pdn_solution, pdn_solution_free>
         return times;
     }
     /** A quantity of a solution at any times. */
-    std::vector<double> sample(const Quantity &quantity, Reals times) const
+    std::vector<double> sample(const Quantity &quantity, const std::vector<double> &times) const
     {
         const std::size_t count = times.size();
         std::vector<double> out(count *quantity.components());
@@ -3080,7 +3041,8 @@ class Solution : public detail::Handle<pdn_solution, pdn_solution_free>
         return out;
     }
     /** The same of a quantity of C components: an array for each. */
-    template <std::size_t C> Series<C> sample(const Quantity &quantity, Reals times) const
+    template <std::size_t C>
+    Series<C> sample(const Quantity &quantity, const std::vector<double> &times) const
     {
         return detail::as_series<C>(sample(quantity, times), quantity.components());
     }
@@ -3132,9 +3094,8 @@ class Solution : public detail::Handle<pdn_solution, pdn_solution_free>
         SensitivityOptions options = {}) const
     {
         std::vector<double> derivatives(parameters *dependents);
-        detail::check(pdn_solution_sensitivities(get(), sensitivities.get(),
-            detail::in(conditions, "conditions"), options.get(), derivatives.data(), dependents,
-            parameters));
+        detail::check(pdn_solution_sensitivities(get(), sensitivities.get(), detail::in(conditions,
+            "conditions"), options.get(), derivatives.data(), dependents, parameters));
         return derivatives;
     }
     /** Derivatives of a Floquet multiplier of a periodic solution by parameters of its model. */
@@ -3178,7 +3139,8 @@ class Solution : public detail::Handle<pdn_solution, pdn_solution_free>
     }
     /** Writes an animation of a solution that ParaView opens: VTK's XML files, and a list of
      * them. */
-    void write_vtk(Reals times, std::size_t points_per_element, const std::string &path) const
+    void write_vtk(const std::vector<double> &times, std::size_t points_per_element,
+        const std::string &path) const
     {
         const std::size_t count = times.size();
         detail::check(pdn_solution_write_vtk(get(), detail::in(times), count, points_per_element,
@@ -3291,13 +3253,12 @@ class Branch : public detail::Handle<pdn_branch, pdn_branch_free>
     void write_csv(const std::string &path, const std::vector<Quantity> &quantities = {}) const
     {
         const std::size_t count = quantities.size();
-        detail::check(pdn_branch_write_csv(get(), detail::in(quantities), count,
-            detail::in(path)));
+        detail::check(pdn_branch_write_csv(get(), detail::in(quantities), count, detail::in(path)));
     }
     /** Writes a chart of the exponents of small disturbances along a branch as CSV, as of Campbell:
      * of each point that is no event a line for each multiplier, but for conjugates and for those
      * that only move the motion in time or space. */
-    void write_campbell(const std::string &path, Ids blades = {},
+    void write_campbell(const std::string &path, const std::vector<std::int32_t> &blades = {},
         StabilityOptions options = {}) const
     {
         const std::size_t count = blades.size();
@@ -3409,7 +3370,7 @@ class Equations : public detail::Handle<pdn_equations, pdn_equations_free>
         return {std::move(motions), std::move(own_unknowns)};
     }
     /** Sets motions and own unknowns, as ::pdn_equations_state gives them. */
-    void set_state(Reals motions, Reals own_unknowns)
+    void set_state(const std::vector<double> &motions, const std::vector<double> &own_unknowns)
     {
         const std::size_t motion_count = sizes().motions;
         const std::size_t own_count = sizes().own_unknowns;
@@ -3431,7 +3392,7 @@ class Equations : public detail::Handle<pdn_equations, pdn_equations_free>
         detail::check(pdn_equations_linearise(get()));
     }
     /** The product of the scaled Jacobian of the last linearisation and a vector. */
-    std::vector<double> product(Reals x)
+    std::vector<double> product(const std::vector<double> &x)
     {
         const std::size_t count = sizes().size;
         std::vector<double> out(count);
@@ -3439,7 +3400,7 @@ class Equations : public detail::Handle<pdn_equations, pdn_equations_free>
         return out;
     }
     /** The product of the transposed scaled Jacobian and a vector. */
-    std::vector<double> transposed_product(Reals x)
+    std::vector<double> transposed_product(const std::vector<double> &x)
     {
         const std::size_t count = sizes().size;
         std::vector<double> out(count);
@@ -3448,7 +3409,7 @@ class Equations : public detail::Handle<pdn_equations, pdn_equations_free>
     }
     /** The product of a vector and what multiplies a power of mu in the scaled Jacobian for
      * disturbances exp(mu t) times increments of the period: J(mu) = J + mu J1 + mu^2 J2. */
-    std::vector<double> power_product(std::int32_t power, Reals x)
+    std::vector<double> power_product(std::int32_t power, const std::vector<double> &x)
     {
         const std::size_t count = sizes().size;
         std::vector<double> out(count);
@@ -3456,7 +3417,7 @@ class Equations : public detail::Handle<pdn_equations, pdn_equations_free>
         return out;
     }
     /** Factors the preconditioner of the linearised equations. */
-    bool factor(Reals right_side)
+    bool factor(const std::vector<double> &right_side)
     {
         const std::size_t count = sizes().size;
         std::int32_t regular = 0;
@@ -3464,7 +3425,7 @@ class Equations : public detail::Handle<pdn_equations, pdn_equations_free>
         return regular != 0;
     }
     /** The solution of the preconditioner's equations with a right side. */
-    std::vector<double> precondition(Reals x)
+    std::vector<double> precondition(const std::vector<double> &x)
     {
         const std::size_t count = sizes().size;
         std::vector<double> out(count);
@@ -3473,7 +3434,7 @@ class Equations : public detail::Handle<pdn_equations, pdn_equations_free>
     }
     /** What a scaled increment leaves of the constraints by their compliance in the Jacobian, where
      * some depend on others. */
-    EquationsCompliance compliance(Reals increment)
+    EquationsCompliance compliance(const std::vector<double> &increment)
     {
         const std::size_t count = sizes().size;
         std::vector<double> out(count);
@@ -3484,13 +3445,13 @@ class Equations : public detail::Handle<pdn_equations, pdn_equations_free>
     }
     /** Moves the state that the equations were linearised at last by a fraction of a scaled
      * increment; the present state is then that. */
-    void update(Reals increment, double step = 1.0)
+    void update(const std::vector<double> &increment, double step = 1.0)
     {
         const std::size_t count = sizes().size;
         detail::check(pdn_equations_update(get(), detail::in(increment), count, step));
     }
     /** Sizes of a scaled increment of all ranks, the same on all. */
-    EquationsNorms norms(Reals increment) const
+    EquationsNorms norms(const std::vector<double> &increment) const
     {
         const std::size_t count = sizes().size;
         double motion = 0;
@@ -3567,7 +3528,7 @@ class Modes : public detail::Handle<pdn_modes, pdn_modes_free>
         return out;
     }
     /** Shape x of a mode at some nodes. */
-    ModesShape shape(std::int32_t mode, Ids nodes) const
+    ModesShape shape(std::int32_t mode, const std::vector<std::int32_t> &nodes) const
     {
         const std::size_t count = nodes.size();
         Series<6> real(count);
@@ -3608,7 +3569,7 @@ class Table : public detail::Handle<pdn_table, pdn_table_free>
         detail::check(pdn_table_add_quantity(get(), solution.get(), &quantity, detail::in(label)));
     }
     /** A table over these times, to choose columns for and to write as CSV. */
-    explicit Table(Reals times) : Handle(nullptr)
+    explicit Table(const std::vector<double> &times) : Handle(nullptr)
     {
         detail::check(pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR));
         const std::size_t count = times.size();
@@ -3618,7 +3579,7 @@ class Table : public detail::Handle<pdn_table, pdn_table_free>
         detail::check(status);
     }
     /** Adds a column of values of your own, such as one computed from several quantities. */
-    void add_values(const std::string &label, Reals values)
+    void add_values(const std::string &label, const std::vector<double> &values)
     {
         const std::size_t count = values.size();
         detail::check(pdn_table_add_values(get(), detail::in(label), detail::in(values), count));
@@ -4007,7 +3968,7 @@ struct MotionInterpolate {
 
 /** Interpolates a periodic motion given at N equispaced times, by dual polar decomposition. */
 inline MotionInterpolate motion_interpolate(double period, const Series<3> &positions,
-    const Series<9> &rotations, Reals times)
+    const Series<9> &rotations, const std::vector<double> &times)
 {
     const std::size_t points = detail::common({{"positions", positions.size()},
         {"rotations", rotations.size()}}, false);
@@ -4019,8 +3980,7 @@ inline MotionInterpolate motion_interpolate(double period, const Series<3> &posi
     detail::check(pdn_motion_interpolate(period, detail::in(positions), detail::in(rotations),
         points, detail::in(times), count, detail::flat(position), detail::flat(rotation),
         detail::flat(velocity), detail::flat(acceleration)));
-    return {std::move(position), std::move(rotation), std::move(velocity),
-        std::move(acceleration)};
+    return {std::move(position), std::move(rotation), std::move(velocity), std::move(acceleration)};
 }
 
 /** What motion_grid_kinematics gives. */
@@ -4068,12 +4028,9 @@ template <class Derived>
 std::array<double, Derived::RowsAtCompileTime * Derived::ColsAtCompileTime>
 array(const Eigen::MatrixBase<Derived> &matrix)
 {
-    std::array<double, Derived::RowsAtCompileTime * Derived::ColsAtCompileTime> out;
-    for (Eigen::Index column = 0; column < matrix.cols(); ++column) {
-        for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
-            out[static_cast<std::size_t>(column * matrix.rows() + row)] = matrix(row, column);
-        }
-    }
+    constexpr int rows = Derived::RowsAtCompileTime, columns = Derived::ColsAtCompileTime;
+    std::array<double, rows * columns> out;
+    Eigen::Map<Eigen::Matrix<double, rows, columns>>(out.data()) = matrix;
     return out;
 }
 
