@@ -42,9 +42,9 @@
 //! ```
 //!
 //! Then `PDN_BLESS=1 cargo test --test header` rewrites the header, and
-//! `PDN_BLESS=1 ctest -R symbols` appends to `tests/abi/symbols.txt`. `script/fortran_interface`
-//! and `script/python_interface` bind it in Fortran and Python; a method in `include/periodyn.hpp`
-//! and one in module `periodyn` of `include/periodyn.f90` make it C++ and Fortran.
+//! `PDN_BLESS=1 ctest -R symbols` appends to `tests/abi/symbols.txt`. `script/cpp_interface`,
+//! `script/fortran_interface` and `script/python_interface` bind it in C++, Fortran and Python; a
+//! method in module `periodyn` of `include/periodyn.f90` completes Fortran.
 //!
 //! * Read *every* argument, outputs included, before the core is called; set outputs last. So a
 //!   failed call has written nothing.
