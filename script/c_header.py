@@ -1,6 +1,7 @@
 """What include/periodyn.h declares, as data: bindings of other languages are written from it."""
 
 import re
+import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -23,6 +24,21 @@ DEFAULTS = {
 
 DOCUMENTED = r"/\*\*((?:(?!\*/).)*?)\*/\s*"
 ARGUMENTS = r"\(([^()]*)\);"
+
+
+def class_name(c_name):
+    """A name of C as that of a class."""
+    return "".join(part.capitalize() for part in c_name.removeprefix("pdn_").split("_"))
+
+
+def write(path, text):
+    """Writes a file; with --check only says whether it is what would be written."""
+    script, name = Path(sys.argv[0]).name, path.relative_to(ROOT)
+    changed = not path.exists() or path.read_text() != text
+    if sys.argv[1:] == ["--check"]:
+        sys.exit(f"{name} is not what periodyn.h says: run script/{script}" if changed else 0)
+    if changed:
+        path.write_text(text)
 
 
 def text_of(comment):
