@@ -782,13 +782,13 @@ using Progress = std::function<bool(const pdn_progress &)>;
 /** Told of each point of a branch, and its number; likewise. */
 using BranchProgress = std::function<bool(const pdn_branch_point &, std::int32_t)>;
 
-/** An array of the library's with N indices. */
+/** An array of the library's, with an index for each extent of the shape that C tells, in its order:
+ * of shape 3 x [node_count] (component, node). */
 template <class T, std::size_t N> class Entries
 {
   public:
-    /** For each index how many there are, and how far apart. */
-    Entries(T *data, const std::array<std::array<std::size_t, 2>, N> &extents)
-        : data_(data), extents_(extents)
+    /** Numbers, the first index fastest. */
+    Entries(T *data, const std::array<std::size_t, N> &extents) : data_(data), extents_(extents)
     {
     }
     /** Whether they are wanted, as tangents may not be. */
@@ -800,24 +800,24 @@ template <class T, std::size_t N> class Entries
     template <class... Index> T &operator()(Index... index) const
     {
         static_assert(sizeof...(index) == N, "an index of each kind");
-        const std::array<std::size_t, N> indices{static_cast<std::size_t>(index)...};
         if (data_ == nullptr) {
             throw std::logic_error("Entries: tangents that are not wanted are asked for");
         }
-        T *entry = data_;
-        for (std::size_t i = 0; i < N; ++i) {
-            if (indices[i] >= extents_[i][0]) {
-                throw std::out_of_range("Entries: index " + std::to_string(indices[i]) +
-                                        " is not below " + std::to_string(extents_[i][0]));
+        std::size_t place = 0, stride = 1, i = 0;
+        for (const std::size_t given : {static_cast<std::size_t>(index)...}) {
+            if (given >= extents_[i]) {
+                throw std::out_of_range("Entries: index " + std::to_string(given) +
+                                        " is not below " + std::to_string(extents_[i]));
             }
-            entry += indices[i] * extents_[i][1];
+            place += given * stride;
+            stride *= extents_[i++];
         }
-        return *entry;
+        return data_[place];
     }
 
   private:
     T *data_;
-    std::array<std::array<std::size_t, 2>, N> extents_;
+    std::array<std::size_t, N> extents_;
 };
 
 namespace detail
@@ -879,14 +879,14 @@ struct ForceState {
     /** Number of nodes. */
     const std::size_t node_count = state.node_count;
     /** Positions, global coordinates [length]. */
-    const Entries<const double, 2> positions{state.positions, {{{state.node_count, 3}, {3, 1}}}};
+    const Entries<const double, 2> positions{state.positions, {3, state.node_count}};
     /** Rotation matrices, column by column; the columns are the nodes' axes in global
      * coordinates. */
-    const Entries<const double, 2> rotations{state.rotations, {{{state.node_count, 9}, {9, 1}}}};
+    const Entries<const double, 2> rotations{state.rotations, {9, state.node_count}};
     /** Velocity and angular velocity of each node relative to the inertial frame, also in a steady
      * rotation (::pdn_solve_static), along the global axes (PDN_FRAME_SPACE) or the node's own
      * (PDN_FRAME_MATERIAL). */
-    const Entries<const double, 2> velocities{state.velocities, {{{state.node_count, 6}, {6, 1}}}};
+    const Entries<const double, 2> velocities{state.velocities, {6, state.node_count}};
 };
 
 /** Where a user's forces go. */
@@ -896,14 +896,14 @@ struct ForceValues {
     /** The same. */
     const pdn_force_values &values;
     /** Force on each node and moment about it [force, force * length]. */
-    const Entries<double, 2> forces{values.forces, {{{state.node_count, 6}, {6, 1}}}};
+    const Entries<double, 2> forces{values.forces, {6, state.node_count}};
     /** Derivatives of forces by displacements and turns. NULL if tangents are not wanted, or were
      * said not to be given. */
-    const Entries<double, 4> by_motion{values.by_motion, {{{state.node_count, 6}, {6, 1},
-        {state.node_count, 6 * state.node_count * 6}, {6, 6 * state.node_count}}}};
+    const Entries<double, 4> by_motion{values.by_motion, {6, state.node_count, 6,
+        state.node_count}};
     /** The same by velocities and angular velocities. */
-    const Entries<double, 4> by_velocity{values.by_velocity, {{{state.node_count, 6}, {6, 1},
-        {state.node_count, 6 * state.node_count * 6}, {6, 6 * state.node_count}}}};
+    const Entries<double, 4> by_velocity{values.by_velocity, {6, state.node_count, 6,
+        state.node_count}};
 };
 
 /** What a user's forces on a shell element may depend on: the points of a quadrature over its
@@ -919,20 +919,20 @@ struct SurfaceState {
     /** Number of points. */
     const std::size_t point_count = state.point_count;
     /** Xi and eta of each, from -1 to 1. */
-    const Entries<const double, 2> places{state.places, {{{state.point_count, 2}, {2, 1}}}};
+    const Entries<const double, 2> places{state.places, {2, state.point_count}};
     /** The reference area, or length of an edge, that each stands for: a force is this much of what
      * the function gives. */
-    const Entries<const double, 1> sizes{state.sizes, {{{state.point_count, 1}}}};
+    const Entries<const double, 1> sizes{state.sizes, {state.point_count}};
     /** Positions, global coordinates [length]. */
-    const Entries<const double, 2> positions{state.positions, {{{state.point_count, 3}, {3, 1}}}};
+    const Entries<const double, 2> positions{state.positions, {3, state.point_count}};
     /** Rotation matrices, column by column; the columns are the axes of the point in global
      * coordinates, those of a follower load: on the surface axes 1, 2 and the normal, on an edge 1
      * along it, 3 along the normal, and 2 = 3 * 1. */
-    const Entries<const double, 2> rotations{state.rotations, {{{state.point_count, 9}, {9, 1}}}};
+    const Entries<const double, 2> rotations{state.rotations, {9, state.point_count}};
     /** Velocity and angular velocity of each point relative to the inertial frame, also in a steady
      * rotation (::pdn_solve_static), along the global axes (PDN_FRAME_SPACE) or the point's own
      * (PDN_FRAME_MATERIAL). */
-    const Entries<const double, 2> velocities{state.velocities, {{{state.point_count, 6}, {6, 1}}}};
+    const Entries<const double, 2> velocities{state.velocities, {6, state.point_count}};
 };
 
 /** Where a user's forces on a shell element go. */
@@ -942,14 +942,12 @@ struct SurfaceValues {
     /** The same. */
     const pdn_surface_values &values;
     /** Force at each point and moment about it. */
-    const Entries<double, 2> forces{values.forces, {{{state.point_count, 6}, {6, 1}}}};
+    const Entries<double, 2> forces{values.forces, {6, state.point_count}};
     /** Derivatives of the force at a point by displacements and turns of this point. NULL if
      * tangents are not wanted, or were said not to be given. */
-    const Entries<double, 3> by_motion{values.by_motion, {{{state.point_count, 6 * 6}, {6, 1},
-        {6, 6}}}};
+    const Entries<double, 3> by_motion{values.by_motion, {6, 6, state.point_count}};
     /** The same by velocities and angular velocities. */
-    const Entries<double, 3> by_velocity{values.by_velocity, {{{state.point_count, 6 * 6}, {6, 1},
-        {6, 6}}}};
+    const Entries<double, 3> by_velocity{values.by_velocity, {6, 6, state.point_count}};
 };
 
 /** What a controller reads. */
@@ -962,13 +960,13 @@ struct ControllerState {
     /** Number of coordinates that are read. */
     const std::size_t input_count = state.input_count;
     /** The coordinates, angles with their whole turns [length or radian]. */
-    const Entries<const double, 1> inputs{state.inputs, {{{state.input_count, 1}}}};
+    const Entries<const double, 1> inputs{state.inputs, {state.input_count}};
     /** Their rates. */
-    const Entries<const double, 1> input_rates{state.input_rates, {{{state.input_count, 1}}}};
+    const Entries<const double, 1> input_rates{state.input_rates, {state.input_count}};
     /** Number of states. */
     const std::size_t state_count = state.state_count;
     /** The states. */
-    const Entries<const double, 1> states{state.states, {{{state.state_count, 1}}}};
+    const Entries<const double, 1> states{state.states, {state.state_count}};
 };
 
 /** Where a controller writes. */
@@ -981,22 +979,19 @@ struct ControllerValues {
     const std::size_t output_count = values.output_count;
     /** Efforts on the coordinates that it acts on, towards growth [force on a displacement, force *
      * length on an angle]. */
-    const Entries<double, 1> efforts{values.efforts, {{{values.output_count, 1}}}};
+    const Entries<double, 1> efforts{values.efforts, {values.output_count}};
     /** Rates of the states. */
-    const Entries<double, 1> state_rates{values.state_rates, {{{state.state_count, 1}}}};
+    const Entries<double, 1> state_rates{values.state_rates, {state.state_count}};
     /** Derivatives by the coordinates. NULL if tangents are not wanted, or were said not to be
      * given. */
-    const Entries<double, 2> by_inputs{values.by_inputs,
-        {{{values.output_count + state.state_count, 1},
-        {state.input_count, (values.output_count + state.state_count)}}}};
+    const Entries<double, 2> by_inputs{values.by_inputs, {values.output_count + state.state_count,
+        state.input_count}};
     /** The same by their rates. */
     const Entries<double, 2> by_input_rates{values.by_input_rates,
-        {{{values.output_count + state.state_count, 1},
-        {state.input_count, (values.output_count + state.state_count)}}}};
+        {values.output_count + state.state_count, state.input_count}};
     /** Derivatives by the states. */
-    const Entries<double, 2> by_states{values.by_states,
-        {{{values.output_count + state.state_count, 1},
-        {state.state_count, (values.output_count + state.state_count)}}}};
+    const Entries<double, 2> by_states{values.by_states, {values.output_count + state.state_count,
+        state.state_count}};
 };
 
 namespace detail
@@ -1453,14 +1448,12 @@ struct Quantity : pdn_quantity {
         component = detail::in(coordinate);
     }
 };
+static_assert(sizeof(Quantity) == sizeof(pdn_quantity) && sizeof(Section) == sizeof(pdn_section),
+              "arrays of these are arrays of those");
 
 namespace detail
 {
 
-inline Converted<pdn_quantity> in(const std::vector<Quantity> &quantities)
-{
-    return {{quantities.begin(), quantities.end()}};
-}
 inline Converted<pdn_signal> in(const std::vector<std::array<Signal, 6>> &places)
 {
     Converted<pdn_signal> signals;
@@ -1488,7 +1481,7 @@ template <class T, void (*free)(T *)> class Handle
 {
   public:
     /** Takes over a handle of periodyn.h; keeps the functions of signals that it may call. */
-    explicit Handle(T *handle, Kept kept = {}) : kept_(std::move(kept)), handle_(handle)
+    explicit Handle(T *handle, Kept kept = {}) : kept_(std::move(kept)), handle_(handle, free)
     {
     }
     /** The handle, for functions of periodyn.h; NULL if moved from. */
@@ -1543,15 +1536,8 @@ template <class T, void (*free)(T *)> class Handle
         }
     }
 
-    struct Free {
-        void operator()(T *handle) const noexcept
-        {
-            free(handle);
-        }
-    };
-
     Kept kept_; // outlives the handle
-    std::unique_ptr<T, Free> handle_;
+    std::unique_ptr<T, void (*)(T *)> handle_;
 };
 
 } // namespace detail
@@ -3253,7 +3239,8 @@ class Branch : public detail::Handle<pdn_branch, pdn_branch_free>
     void write_csv(const std::string &path, const std::vector<Quantity> &quantities = {}) const
     {
         const std::size_t count = quantities.size();
-        detail::check(pdn_branch_write_csv(get(), detail::in(quantities), count, detail::in(path)));
+        detail::check(pdn_branch_write_csv(get(), detail::in_or_null(quantities), count,
+            detail::in(path)));
     }
     /** Writes a chart of the exponents of small disturbances along a branch as CSV, as of Campbell:
      * of each point that is no event a line for each multiplier, but for conjugates and for those

@@ -54,7 +54,7 @@ static void throwing()
         Oscillator o;
         o.model.add_user_force({o.body}, Frame::space, pdn::Tangents::differenced,
                                [](const pdn::ForceState &state, pdn::ForceValues &values) {
-                                   values.forces(state.node_count, 0) = 1;
+                                   values.forces(0, state.node_count) = 1;
                                });
         THROWS(pdn::solve_periodic(o.model, period), std::out_of_range,
                std::string(e.what()) == "Entries: index 1 is not below 1");
@@ -128,12 +128,12 @@ static void laws_and_forces()
             [](const pdn::ForceState &state, pdn::ForceValues &values) {
                 CHECK(state.node_count == 1 && state.time >= 0);
                 CHECK(std::abs(state.positions(0, 0)) < 1);
-                values.forces(0, 5) =
-                    -2 * std::atan2(state.rotations(0, 1), state.rotations(0, 0)) -
-                    0.1 * state.velocities(0, 5);
+                values.forces(5, 0) =
+                    -2 * std::atan2(state.rotations(1, 0), state.rotations(0, 0)) -
+                    0.1 * state.velocities(5, 0);
                 if (values.by_motion) {
-                    values.by_motion(0, 5, 0, 5) = -2;
-                    values.by_velocity(0, 5, 0, 5) = -0.1;
+                    values.by_motion(5, 0, 5, 0) = -2;
+                    values.by_velocity(5, 0, 5, 0) = -0.1;
                 }
             });
         NEAR(angle(o), expected, 1e-12);

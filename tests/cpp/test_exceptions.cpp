@@ -62,7 +62,7 @@ static pdn::Model model_of_callbacks(std::int32_t &hinge)
     o.model.add_user_force({o.body}, Frame::space, pdn::Tangents::differenced,
                            [](const pdn::ForceState &state, pdn::ForceValues &values) {
                                maybe(false);
-                               values.forces(0, 5) = -0.1 * state.velocities(0, 5);
+                               values.forces(5, 0) = -0.1 * state.velocities(5, 0);
                            });
     hinge = o.hinge;
     return std::move(o.model);

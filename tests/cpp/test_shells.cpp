@@ -106,15 +106,15 @@ int main()
                         double area = 0;
                         for (std::size_t k = 0; k < state.point_count; ++k) {
                             area += state.sizes(k);
-                            CHECK(std::abs(state.places(k, 1)) < 1 && state.positions(k, 0) > 0);
-                            values.forces(k, 2) = 0.05 - 3 * state.velocities(k, 2);
+                            CHECK(std::abs(state.places(1, k)) < 1 && state.positions(0, k) > 0);
+                            values.forces(2, k) = 0.05 - 3 * state.velocities(2, k);
                             if (values.by_motion) {
-                                CHECK(values.by_motion(k, 2, 2) == 0);
-                                values.by_velocity(k, 2, 2) = -3;
+                                CHECK(values.by_motion(2, 2, k) == 0);
+                                values.by_velocity(2, 2, k) = -3;
                             }
                         }
                         CHECK(state.element == pdn::first_shell_element + 1 &&
-                              state.rotations(0, 8) > 0);
+                              state.rotations(8, 0) > 0);
                         NEAR(area, length * width / 2, 1e-14);
                     });
                 CHECK(first == pdn::first_force && model.check_tangents(first, 1).error < 1e-7);
