@@ -94,12 +94,67 @@ void response_over_frequencies()
     REFUSED(branch.point(branch.count()), PDN_ERR_ID, "point: ");
 }
 
+// Told of each point: it may end the branch, and what it throws comes out.
+void progress_of_branches()
+{
+    const Driven o;
+    std::vector<double> told;
+    pdn::BranchOptions options;
+    options.progress = [&](const pdn_branch_point &point, std::int32_t number) {
+        told.push_back(point.parameter);
+        CHECK(number == static_cast<std::int32_t>(told.size()));
+        return number < 3;
+    };
+    const auto cut_off = pdn::solve_frequency_response(o.model, 1, 4, options);
+    CHECK(cut_off.end() == pdn::BranchEnd::cancelled && cut_off.count() == 3);
+    CHECK(told.size() == 3 && told.back() == cut_off.point(2).parameter);
+    options.progress = [](const pdn_branch_point &, std::int32_t) -> bool {
+        throw std::domain_error("enough");
+    };
+    try {
+        pdn::solve_frequency_response(o.model, 1, 4, options);
+        std::exit(1);
+    } catch (const std::domain_error &e) {
+        CHECK(e.what() == std::string("enough"));
+    }
+    // That of the solves is told, too.
+    int iterations = 0;
+    options.progress = nullptr;
+    options.periodic.progress = [&](const pdn_progress &) { return ++iterations > 0; };
+    CHECK(pdn::solve_frequency_response(o.model, 1, 4, options).count() > 3 && iterations > 3);
+}
+
+// Grid points about events, which are arrays of one length.
+void events()
+{
+    const Driven o;
+    pdn::PeriodicOptions options;
+    options.grid_points = 41;
+    options.time_map = pdn::TimeMap::events;
+    options.event_times = {1};
+    options.event_widths = {0.5};
+    REFUSED(pdn::solve_periodic(o.model, period, options), PDN_ERR_NULL, "options.event_shares");
+    options.event_shares = {0.5, 0.5};
+    REFUSED(pdn::solve_periodic(o.model, period, options), PDN_ERR_SIZE,
+            "event_shares: expected as many entries as event_times, which are 1, got 2");
+    options.event_shares = {0.5};
+    const auto solution = pdn::solve_periodic(o.model, period, options);
+    CHECK(solution.converged() && solution.sharp_event_count() == 1);
+    const auto [times, widths, shares] = solution.sharp_events();
+    CHECK(times.size() == 1 && widths.size() == 1 && shares[0] == 0.5);
+    NEAR(times[0], 1, 1e-15); // kept as phases
+    NEAR(widths[0], 0.5, 1e-15);
+    NEAR(solution.sample(o.angle(), {0})[0], oscillator_angle()[0], 1e-6);
+}
+
 } // namespace
 
 int main()
 {
     moment_for_a_mean_angle();
     response_over_frequencies();
+    progress_of_branches();
+    events();
     std::cout << "families: as they should be\n";
     return 0;
 }
