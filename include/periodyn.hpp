@@ -772,9 +772,11 @@ using Kept = std::vector<std::shared_ptr<const void>>;
 
 } // namespace detail
 
-/** An effort on a joint coordinate, with its derivatives by the coordinate and its rate. */
+/** An effort on a joint coordinate, with its derivatives. */
 struct Effort {
-    double effort, by_coordinate, by_rate;
+    double effort;        ///< that resists growth
+    double by_coordinate; ///< its derivative by the coordinate
+    double by_rate;       ///< and by the rate of the coordinate
 };
 
 /** Told of progress: true to go on, false to cancel. */
@@ -1481,7 +1483,7 @@ template <class T, void (*free)(T *)> class Handle
 {
   public:
     /** Takes over a handle of periodyn.h; keeps the functions of signals that it may call. */
-    explicit Handle(T *handle, Kept kept = {}) : kept_(std::move(kept)), handle_(handle, free)
+    Handle(T *handle, Kept kept) : kept_(std::move(kept)), handle_(handle, free)
     {
     }
     /** The handle, for functions of periodyn.h; NULL if moved from. */
@@ -1496,11 +1498,6 @@ template <class T, void (*free)(T *)> class Handle
     }
 
   protected:
-    /** Takes over a handle in place of the one before. */
-    void own(T *handle, Kept kept = {})
-    {
-        *this = Handle(handle, std::move(kept));
-    }
     /** The text that a function of the handle writes. */
     template <class Write> std::string text_of(const char *name, Write write) const
     {
@@ -1549,12 +1546,12 @@ class Sensitivities : public detail::Handle<pdn_sensitivities, pdn_sensitivities
   public:
     using Handle::Handle;
     /** Makes an empty list: nothing is differentiated. */
-    Sensitivities() : Handle(nullptr)
+    Sensitivities() : Handle(nullptr, {})
     {
-        detail::check(pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR));
         pdn_sensitivities *out = nullptr;
+        detail::check(pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR));
         const pdn_status status = pdn_sensitivities_new(&out);
-        own(out);
+        *this = Sensitivities(out, {});
         detail::check(status);
     }
     /** Adds a dependent: the mean, a harmonic, the value at a time, or a peak of a quantity. */
@@ -1580,12 +1577,12 @@ class Conditions : public detail::Handle<pdn_conditions, pdn_conditions_free>
   public:
     using Handle::Handle;
     /** Makes an empty list: no parameter is free. */
-    Conditions() : Handle(nullptr)
+    Conditions() : Handle(nullptr, {})
     {
-        detail::check(pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR));
         pdn_conditions *out = nullptr;
+        detail::check(pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR));
         const pdn_status status = pdn_conditions_new(&out);
-        own(out);
+        *this = Conditions(out, {});
         detail::check(status);
     }
     /** Makes a parameter free: its value in the model is that to start from. */
@@ -1927,12 +1924,12 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
   public:
     using Handle::Handle;
     /** Makes an empty model. */
-    Model() : Handle(nullptr)
+    Model() : Handle(nullptr, {})
     {
-        detail::check(pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR));
         pdn_model *model = nullptr;
+        detail::check(pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR));
         const pdn_status status = pdn_model_new(&model);
-        own(model);
+        *this = Model(model, {});
         detail::check(status);
     }
     /** Number of nodes; their ids follow each other from PDN_FIRST_NODE on. */
@@ -2871,7 +2868,7 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     {
         pdn_model *out = nullptr;
         const pdn_status status = pdn_model_load(detail::in(path), &out);
-        Model made(out);
+        Model made(out, {});
         detail::check(status);
         return made;
     }
@@ -3143,7 +3140,7 @@ class Solution : public detail::Handle<pdn_solution, pdn_solution_free>
     {
         pdn_solution *out = nullptr;
         const pdn_status status = pdn_solution_load(detail::in(path), &out);
-        Solution made(out);
+        Solution made(out, {});
         detail::check(status);
         return made;
     }
@@ -3191,7 +3188,7 @@ class Branch : public detail::Handle<pdn_branch, pdn_branch_free>
     {
         pdn_branch *out = nullptr;
         const pdn_status status = pdn_branch_load(detail::in(path), &out);
-        Branch made(out);
+        Branch made(out, {});
         detail::check(status);
         return made;
     }
@@ -3312,13 +3309,14 @@ struct EquationsNorms {
 class Equations : public detail::Handle<pdn_equations, pdn_equations_free>
 {
   public:
+    using Handle::Handle;
     /** Makes the equations of a periodic motion on a grid, or a rank's part. */
-    Equations(const Model &model, double period, EquationsOptions options) : Handle(nullptr)
+    Equations(const Model &model, double period, EquationsOptions options) : Handle(nullptr, {})
     {
-        detail::check(pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR));
         pdn_equations *out = nullptr;
+        detail::check(pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR));
         const pdn_status status = pdn_equations_new(model.get(), period, options.get(), &out);
-        own(out, model.kept());
+        *this = Equations(out, model.kept());
         detail::check(status);
     }
     /** Sizes of the equations, and of the vectors of this rank. */
@@ -3548,6 +3546,7 @@ class Modes : public detail::Handle<pdn_modes, pdn_modes_free>
 class Table : public detail::Handle<pdn_table, pdn_table_free>
 {
   public:
+    using Handle::Handle;
     /** Adds the columns of a quantity of a solution, named by the label and the component; or that
      * of one component, named by the label alone. */
     void add_quantity(const Solution &solution, const Quantity &quantity,
@@ -3556,13 +3555,13 @@ class Table : public detail::Handle<pdn_table, pdn_table_free>
         detail::check(pdn_table_add_quantity(get(), solution.get(), &quantity, detail::in(label)));
     }
     /** A table over these times, to choose columns for and to write as CSV. */
-    explicit Table(const std::vector<double> &times) : Handle(nullptr)
+    explicit Table(const std::vector<double> &times) : Handle(nullptr, {})
     {
-        detail::check(pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR));
         const std::size_t count = times.size();
         pdn_table *out = nullptr;
+        detail::check(pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR));
         const pdn_status status = pdn_table_new(detail::in(times), count, &out);
-        own(out);
+        *this = Table(out, {});
         detail::check(status);
     }
     /** Adds a column of values of your own, such as one computed from several quantities. */
