@@ -784,8 +784,8 @@ using Progress = std::function<bool(const pdn_progress &)>;
 /** Told of each point of a branch, and its number; likewise. */
 using BranchProgress = std::function<bool(const pdn_branch_point &, std::int32_t)>;
 
-/** An array of the library's, with an index for each extent of the shape that C tells, in its order:
- * of shape 3 x [node_count] (component, node). */
+/** An array of the library's, with an index for each extent of the shape that C tells, in its
+ * order: of shape 3 x [node_count] (component, node). */
 template <class T, std::size_t N> class Entries
 {
   public:
@@ -908,50 +908,6 @@ struct ForceValues {
         state.node_count}};
 };
 
-/** What a user's forces on a shell element may depend on: the points of a quadrature over its
- * surface or an edge. */
-struct SurfaceState {
-    /** As the library made it. */
-    const pdn_surface_state &state;
-    /** Time, in [0, T) of the period T of the solve, but for the first calls of a solve
-     * (::pdn_surface_force_fn). */
-    const double time = state.time;
-    /** Id of the shell element. */
-    const std::int32_t element = state.element;
-    /** Number of points. */
-    const std::size_t point_count = state.point_count;
-    /** Xi and eta of each, from -1 to 1. */
-    const Entries<const double, 2> places{state.places, {2, state.point_count}};
-    /** The reference area, or length of an edge, that each stands for: a force is this much of what
-     * the function gives. */
-    const Entries<const double, 1> sizes{state.sizes, {state.point_count}};
-    /** Positions, global coordinates [length]. */
-    const Entries<const double, 2> positions{state.positions, {3, state.point_count}};
-    /** Rotation matrices, column by column; the columns are the axes of the point in global
-     * coordinates, those of a follower load: on the surface axes 1, 2 and the normal, on an edge 1
-     * along it, 3 along the normal, and 2 = 3 * 1. */
-    const Entries<const double, 2> rotations{state.rotations, {9, state.point_count}};
-    /** Velocity and angular velocity of each point relative to the inertial frame, also in a steady
-     * rotation (::pdn_solve_static), along the global axes (PDN_FRAME_SPACE) or the point's own
-     * (PDN_FRAME_MATERIAL). */
-    const Entries<const double, 2> velocities{state.velocities, {6, state.point_count}};
-};
-
-/** Where a user's forces on a shell element go. */
-struct SurfaceValues {
-    /** As the library made it. */
-    const pdn_surface_state &state;
-    /** The same. */
-    const pdn_surface_values &values;
-    /** Force at each point and moment about it. */
-    const Entries<double, 2> forces{values.forces, {6, state.point_count}};
-    /** Derivatives of the force at a point by displacements and turns of this point. NULL if
-     * tangents are not wanted, or were said not to be given. */
-    const Entries<double, 3> by_motion{values.by_motion, {6, 6, state.point_count}};
-    /** The same by velocities and angular velocities. */
-    const Entries<double, 3> by_velocity{values.by_velocity, {6, 6, state.point_count}};
-};
-
 /** What a controller reads. */
 struct ControllerState {
     /** As the library made it. */
@@ -994,6 +950,50 @@ struct ControllerValues {
     /** Derivatives by the states. */
     const Entries<double, 2> by_states{values.by_states, {values.output_count + state.state_count,
         state.state_count}};
+};
+
+/** What a user's forces on a shell element may depend on: the points of a quadrature over its
+ * surface or an edge. */
+struct SurfaceState {
+    /** As the library made it. */
+    const pdn_surface_state &state;
+    /** Time, in [0, T) of the period T of the solve, but for the first calls of a solve
+     * (::pdn_surface_force_fn). */
+    const double time = state.time;
+    /** Id of the shell element. */
+    const std::int32_t element = state.element;
+    /** Number of points. */
+    const std::size_t point_count = state.point_count;
+    /** Xi and eta of each, from -1 to 1. */
+    const Entries<const double, 2> places{state.places, {2, state.point_count}};
+    /** The reference area, or length of an edge, that each stands for: a force is this much of what
+     * the function gives. */
+    const Entries<const double, 1> sizes{state.sizes, {state.point_count}};
+    /** Positions, global coordinates [length]. */
+    const Entries<const double, 2> positions{state.positions, {3, state.point_count}};
+    /** Rotation matrices, column by column; the columns are the axes of the point in global
+     * coordinates, those of a follower load: on the surface axes 1, 2 and the normal, on an edge 1
+     * along it, 3 along the normal, and 2 = 3 * 1. */
+    const Entries<const double, 2> rotations{state.rotations, {9, state.point_count}};
+    /** Velocity and angular velocity of each point relative to the inertial frame, also in a steady
+     * rotation (::pdn_solve_static), along the global axes (PDN_FRAME_SPACE) or the point's own
+     * (PDN_FRAME_MATERIAL). */
+    const Entries<const double, 2> velocities{state.velocities, {6, state.point_count}};
+};
+
+/** Where a user's forces on a shell element go. */
+struct SurfaceValues {
+    /** As the library made it. */
+    const pdn_surface_state &state;
+    /** The same. */
+    const pdn_surface_values &values;
+    /** Force at each point and moment about it. */
+    const Entries<double, 2> forces{values.forces, {6, state.point_count}};
+    /** Derivatives of the force at a point by displacements and turns of this point. NULL if
+     * tangents are not wanted, or were said not to be given. */
+    const Entries<double, 3> by_motion{values.by_motion, {6, 6, state.point_count}};
+    /** The same by velocities and angular velocities. */
+    const Entries<double, 3> by_velocity{values.by_velocity, {6, 6, state.point_count}};
 };
 
 namespace detail
