@@ -664,24 +664,27 @@ template <class T> T initialised(void (*initialise)(T *, std::size_t))
     return made;
 }
 
+/** Throws if an array has another number of entries than it must have. */
+inline void check_size(const std::string &name, std::size_t expected, std::size_t got)
+{
+    if (got != expected) {
+        throw error(PDN_ERR_SIZE, name + ": expected " + std::to_string(expected) +
+                                      " entries, got " + std::to_string(got));
+    }
+}
+
 /** The length that arrays have in common; those that may be left out may also be empty. */
 inline std::size_t
 common(std::initializer_list<std::pair<const char *, std::size_t>> arrays, bool may_be_empty)
 {
-    const auto *first = arrays.begin();
-    for (const auto &array : arrays) {
-        const bool left_out = may_be_empty && array.second == 0;
-        if (may_be_empty && first->second == 0) {
-            first = &array;
-        }
-        if (!left_out && array.second != first->second) {
-            throw error(PDN_ERR_SIZE, std::string(array.first) + ": expected as many entries as " +
-                                          first->first + ", which are " +
-                                          std::to_string(first->second) + ", got " +
-                                          std::to_string(array.second));
-        }
+    std::size_t length = 0;
+    for (const auto &[name, size] : arrays) {
+        length = std::max(length, size);
     }
-    return first->second;
+    for (const auto &[name, size] : arrays) {
+        check_size(name, may_be_empty && size == 0 ? 0 : length, size);
+    }
+    return length;
 }
 
 /** Entries of fixed size as the plain numbers that they are. */
@@ -701,11 +704,7 @@ const double *flat(const Series<C> &series, std::size_t nodes, std::size_t point
     if (series.empty() || nodes == 0) {
         return nullptr;
     }
-    if (series.size() != nodes * points) {
-        throw error(PDN_ERR_SIZE, std::string("options.") + name + ": expected " +
-                                      std::to_string(nodes * points) + " entries, got " +
-                                      std::to_string(series.size()));
-    }
+    check_size(std::string("options.") + name, nodes * points, series.size());
     return flat(series);
 }
 
@@ -1082,7 +1081,7 @@ std::int32_t progress_fn(const pdn_progress *progress, void *function) noexcept
 
 /** Called with each point of a branch, on the thread that follows it; `number` counts from 1. */
 template <class Function>
-std::int32_t branch_fn(const pdn_branch_point *point, std::int32_t number, void *function) noexcept
+std::int32_t branch_fn(const pdn_branch_point *point, int32_t number, void *function) noexcept
 {
     return cancelled([=] {
         return (*static_cast<Function *>(function))(*point, number);

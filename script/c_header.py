@@ -100,7 +100,7 @@ class Header:
             parameter["said"] = said
             parameters.append(parameter)
         return {"name": name, "result": result, "summary": re.split(r"\.(?: |$)", doc)[0],
-                "doc": doc, "parameters": parameters}
+                "doc": doc, "parameters": parameters, "arguments": " ".join(arguments.split())}
 
 
 class Binding:

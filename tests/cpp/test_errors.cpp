@@ -7,6 +7,18 @@ using pdn::Component;
 using pdn::Coordinate;
 using pdn::Frame;
 
+// Constants of another role, and exchanged ones, are refused by the compiler.
+template <class First, class Second, class = void> constexpr bool adds_load = false;
+template <class First, class Second>
+constexpr bool adds_load<First, Second,
+                         std::void_t<decltype(std::declval<pdn::Model &>().add_load(
+                             0, std::declval<First>(), std::declval<Second>(), 1.0))>> = true;
+static_assert(adds_load<Frame, Component> && !adds_load<Component, Frame>);
+static_assert(!adds_load<Frame, std::int32_t> && !adds_load<pdn::ShellPlace, Component>);
+static_assert(std::is_assignable_v<decltype(pdn::PeriodicOptions::start) &, pdn::Start>);
+static_assert(!std::is_assignable_v<decltype(pdn::PeriodicOptions::start) &, pdn::Linear>);
+static_assert(!std::is_constructible_v<pdn::Quantity, pdn::Coordinate, std::int32_t>);
+
 static void sections_lines_signals()
 {
     REFUSED(pdn::Section().set_diagonal({1, 1, 1, 1, 1, 0}, {1, 1, 1, 1}), PDN_ERR_VALUE,
@@ -231,7 +243,7 @@ static void motions()
     REFUSED(pdn::motion_interpolate(1, {origin, origin}, {identity, identity}, {0}), PDN_ERR_SIZE,
             "points: ");
     REFUSED(pdn::motion_interpolate(1, {origin}, {identity, identity}, {0}), PDN_ERR_SIZE,
-            "rotations: ");
+            "positions: expected 2 entries, got 1");
     REFUSED(pdn::motion_grid_kinematics(0, {origin}, {identity}), PDN_ERR_VALUE, "period: ");
     REFUSED(pdn::motion_grid_kinematics(1, {origin}, {{2, 0, 0, 0, 1, 0, 0, 0, 1}}), PDN_ERR_VALUE,
             "rotations");

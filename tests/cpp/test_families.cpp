@@ -136,7 +136,7 @@ void events()
     REFUSED(pdn::solve_periodic(o.model, period, options), PDN_ERR_NULL, "options.event_shares");
     options.event_shares = {0.5, 0.5};
     REFUSED(pdn::solve_periodic(o.model, period, options), PDN_ERR_SIZE,
-            "event_shares: expected as many entries as event_times, which are 1, got 2");
+            "event_times: expected 2 entries, got 1");
     options.event_shares = {0.5};
     const auto solution = pdn::solve_periodic(o.model, period, options);
     CHECK(solution.converged() && solution.sharp_event_count() == 1);
