@@ -52,10 +52,11 @@ static int run(const Options &given)
 
     // Steel, 16 x 16 mm and 8 x 8 mm: [axial, shear, shear, torsion, bending, bending] stiffness;
     // mass and its moments of inertia [m, m11, m22, m33], for each unit of length.
-    const pdn::Section steel16({52.99e6, 16.88e6, 16.88e6, 733.5, 1131, 1131},
-                               {1.997, 85.20e-6, 42.60e-6, 42.60e-6});
-    const pdn::Section steel8({13.25e6, 4.220e6, 4.220e6, 45.84, 70.66, 70.66},
-                              {0.4992, 5.324e-6, 2.662e-6, 2.662e-6});
+    pdn::Section steel16, steel8;
+    steel16.set_diagonal({52.99e6, 16.88e6, 16.88e6, 733.5, 1131, 1131},
+                         {1.997, 85.20e-6, 42.60e-6, 42.60e-6});
+    steel8.set_diagonal({13.25e6, 4.220e6, 4.220e6, 45.84, 70.66, 70.66},
+                        {0.4992, 5.324e-6, 2.662e-6, 2.662e-6});
 
     pdn::Model model;
     const auto rocker = model.add_straight_beam(A, B, i2, steel16, elements, order);
@@ -71,9 +72,9 @@ static int run(const Options &given)
 
     // theta(t) = 0.3 t + (1 - cos 0.3 t) / 3 + sin(0.6 t) / 10 + (1 - cos 0.9 t) / 21
     const double omega = 0.3, period = 20.943951023931954923; // 2 pi / omega
-    model.prescribe(
-        motor_D, Coordinate::rotation,
-        pdn::Signal::harmonics(1.0 / 3 + 1.0 / 21, omega, {-1.0 / 3, 0, -1.0 / 21}, {0, 0.1, 0}));
+    model.prescribe(motor_D, Coordinate::rotation,
+                    pdn::Signal().set_harmonics(1.0 / 3 + 1.0 / 21, omega, {-1.0 / 3, 0, -1.0 / 21},
+                                                {0, 0.1, 0}));
 
     pdn::PeriodicOptions options;
     options.grid_points = std::stoul(given.at("--grid"));
@@ -87,10 +88,10 @@ static int run(const Options &given)
     for (std::size_t i = 0; i < t.size(); ++i) {
         t[i] = period * static_cast<double>(i) / 400;
     }
-    const auto position = solution.sample<3>({pdn::Kind::position, rocker.last}, t);
-    const auto velocity = solution.sample<6>({pdn::Kind::velocity, rocker.last}, t);
+    const auto position = solution.sample<3>({pdn::Kind::node_position, rocker.last}, t);
+    const auto velocity = solution.sample<6>({pdn::Kind::node_velocity, rocker.last}, t);
     const auto torque =
-        solution.sample({pdn::Kind::driving_effort, motor_D, Coordinate::rotation}, t);
+        solution.sample({pdn::Kind::joint_driving_effort, motor_D, Coordinate::rotation}, t);
 
     const auto [lowest, highest] = std::minmax_element(torque.begin(), torque.end());
     std::printf("Torque of the motor: %.4f N m at %.3f T to %.4f N m at %.3f T\n", *lowest,

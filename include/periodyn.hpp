@@ -4,13 +4,18 @@
  *
  * Functions have the names of periodyn.h without the prefix, and its documentation holds. In short:
  *
+ * - A function of a handle is a method of its class. What it writes, it returns: several outputs as
+ *   a struct. What may be left out comes last.
  * - What fails throws periodyn::error. That a solve did not converge is no error, but an Outcome.
  * - Callbacks may be lambdas, and may throw: the exception comes out of the call that needed them.
  * - Handles can be moved, not copied; using one that was moved from throws PDN_ERR_NULL.
  * - Arrays come as std::vector, those of fixed size as std::array; components of each time
- * together.
+ *   together.
  * - With PERIODYN_EIGEN defined, or Eigen/Core included before, periodyn::array and periodyn::view
  *   convert between these and Eigen's matrices.
+ *
+ * What stands between lines "WRITTEN BY script/cpp_interface" and "END" follows from periodyn.h;
+ * do not edit it.
  */
 
 #ifndef PERIODYN_HPP
@@ -18,14 +23,15 @@
 
 #include <periodyn.h>
 
+#include <algorithm>
 #include <array>
-#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <functional>
 #include <initializer_list>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -35,18 +41,527 @@
 namespace periodyn
 {
 
-/** In place of a node's id: the ground. */
+// WRITTEN BY script/cpp_interface: constants
+/** @name Constants of periodyn.h */
+///@{
+/** Id of the node that was added first, or of the rigid body, which is one. */
+constexpr std::int32_t first_node = PDN_FIRST_NODE;
+/** Id of the joint that was added first. */
+constexpr std::int32_t first_joint = PDN_FIRST_JOINT;
+/** Id of the beam element that was added first. */
+constexpr std::int32_t first_beam_element = PDN_FIRST_BEAM_ELEMENT;
+/** Id of the shell element that was added first. */
+constexpr std::int32_t first_shell_element = PDN_FIRST_SHELL_ELEMENT;
+/** Id of the force that was added first, which is no load. */
+constexpr std::int32_t first_force = PDN_FIRST_FORCE;
+/** Id of the linear relation between joint coordinates that was added first. */
+constexpr std::int32_t first_relation = PDN_FIRST_RELATION;
+/** Id of the parameter that was added first. */
+constexpr std::int32_t first_parameter = PDN_FIRST_PARAMETER;
+/** Id of the load on a node that was added first. */
+constexpr std::int32_t first_load = PDN_FIRST_LOAD;
+/** Id of the load along beam elements that was added first. */
+constexpr std::int32_t first_beam_load = PDN_FIRST_BEAM_LOAD;
+/** Id of the load on shell elements that was added first. */
+constexpr std::int32_t first_shell_load = PDN_FIRST_SHELL_LOAD;
+/** Id of the inertia that was added first: that of a rigid body, or a mass or inertia on a node. */
+constexpr std::int32_t first_inertia = PDN_FIRST_INERTIA;
+/** Id of the coordinate that was prescribed first. */
+constexpr std::int32_t first_prescribed = PDN_FIRST_PRESCRIBED;
+/** In place of a node's id: the ground, which does not move. */
 constexpr std::int32_t ground = PDN_GROUND;
-/** Ids of what was added first; those of the others of a kind follow. */
-constexpr std::int32_t first_node = PDN_FIRST_NODE, first_joint = PDN_FIRST_JOINT,
-                       first_beam_element = PDN_FIRST_BEAM_ELEMENT,
-                       first_shell_element = PDN_FIRST_SHELL_ELEMENT,
-                       first_force = PDN_FIRST_FORCE, first_relation = PDN_FIRST_RELATION,
-                       first_parameter = PDN_FIRST_PARAMETER, first_load = PDN_FIRST_LOAD,
-                       first_beam_load = PDN_FIRST_BEAM_LOAD,
-                       first_shell_load = PDN_FIRST_SHELL_LOAD,
-                       first_inertia = PDN_FIRST_INERTIA,
-                       first_prescribed = PDN_FIRST_PRESCRIBED;
+/** Bytes of a label at most, without the NUL. */
+constexpr std::int32_t label_length = PDN_LABEL_LENGTH;
+/** All components of a quantity. */
+constexpr std::int32_t all_components = PDN_ALL_COMPONENTS;
+/** A parameter: the circular frequency 2 pi / T, which every model has. */
+constexpr std::int32_t frequency = PDN_FREQUENCY;
+///@}
+
+/** @name Roles of constants */
+///@{
+/** Kind of quantity. */
+enum class Kind : std::int32_t {
+    /** Kind of quantity: position of a node; 3 components \[length\]. */
+    node_position = PDN_NODE_POSITION,
+    /** Kind of quantity: rotation matrix of a node, column by column; 9 components. */
+    node_rotation = PDN_NODE_ROTATION,
+    /** Kind of quantity: unit quaternion (w, x, y, z) of a node, of continuous sign; 4
+     * components. */
+    node_quaternion = PDN_NODE_QUATERNION,
+    /** Kind of quantity: velocity and angular velocity of a node, in a frame; 6 components. */
+    node_velocity = PDN_NODE_VELOCITY,
+    /** Kind of quantity: acceleration and angular acceleration of a node, in a frame; 6
+     * components. */
+    node_acceleration = PDN_NODE_ACCELERATION,
+    /** Kind of quantity: a coordinate of a joint, angles followed through whole turns. */
+    joint_coordinate = PDN_JOINT_COORDINATE,
+    /** Kind of quantity: rate of a coordinate of a joint. */
+    joint_rate = PDN_JOINT_RATE,
+    /** Kind of quantity: second derivative in time of a coordinate of a joint. */
+    joint_acceleration = PDN_JOINT_ACCELERATION,
+    /** Kind of quantity: force or torque that drives a prescribed coordinate of a joint. */
+    joint_driving_effort = PDN_JOINT_DRIVING_EFFORT,
+    /** Kind of quantity: force and moment of a joint on its second body, along axes; 6
+     * components. */
+    joint_reaction = PDN_JOINT_REACTION,
+    /** Kind of quantity: strains and curvatures of a beam element; 6 components. */
+    beam_strain = PDN_BEAM_STRAIN,
+    /** Kind of quantity: internal forces and moments of a beam element; 6 components. */
+    beam_force = PDN_BEAM_FORCE,
+    /** Kind of quantity: the same, at a node between two elements the mean of those of both. */
+    beam_force_mean = PDN_BEAM_FORCE_MEAN,
+    /** Kind of quantity: at a node between two elements, internal forces of the one beyond it less
+     * those of the one before it; zero elsewhere; 6 components. */
+    beam_force_jump = PDN_BEAM_FORCE_JUMP,
+    /** Kind of quantity: effort of a force on its joint coordinate. */
+    force_effort = PDN_FORCE_EFFORT,
+    /** Kind of quantity: effort of a branch of a viscoelastic element. */
+    force_branch_effort = PDN_FORCE_BRANCH_EFFORT,
+    /** Kind of quantity: elongation of the dashpot of a branch of a viscoelastic element. */
+    force_branch_elongation = PDN_FORCE_BRANCH_ELONGATION,
+    /** Kind of quantity: what a force exerts on one of its nodes, in a frame: force and moment; 6
+     * components. */
+    force_on_node = PDN_FORCE_ON_NODE,
+    /** Kind of quantity: the efforts of a bushing against its deformation, forces along the axes of
+     * its first frame and moments; 6 components. */
+    force_bushing_efforts = PDN_FORCE_BUSHING_EFFORTS,
+    /** Kind of quantity: effort of a controller on one of the coordinates that it acts on, towards
+     * growth. */
+    force_control_effort = PDN_FORCE_CONTROL_EFFORT,
+    /** Kind of quantity: a state of a controller. */
+    force_control_state = PDN_FORCE_CONTROL_STATE,
+    /** Kind of quantity: strains of a shell element, in the order of ::pdn_shell_section; 12
+     * components. */
+    shell_strain = PDN_SHELL_STRAIN,
+    /** Kind of quantity: forces and moments of a shell element per unit of reference length, in the
+     * same order: N11 N12 Q1 M11 M12 M1n, N21 N22 Q2 M21 M22 M2n; 12 components. */
+    shell_resultant = PDN_SHELL_RESULTANT,
+    /** Kind of quantity: stresses 11, 22, 12 at the surface of an isotropic shell that its normal
+     * points out of, and von Mises' stress of these \[force / length^2\]; 4 components. */
+    shell_stress_top = PDN_SHELL_STRESS_TOP,
+    /** Kind of quantity: the same at the other surface; 4 components. */
+    shell_stress_bottom = PDN_SHELL_STRESS_BOTTOM,
+    /** Kind of quantity: effort of a linear relation on one of its joint coordinates, towards
+     * growth. */
+    relation_effort = PDN_RELATION_EFFORT,
+};
+/** What has a label. */
+enum class ObjectKind : std::int32_t {
+    /** What has a label: a node, or a rigid body, which is one. */
+    node = PDN_OBJECT_NODE,
+    /** What has a label: a joint. */
+    joint = PDN_OBJECT_JOINT,
+    /** What has a label: a beam element. */
+    beam_element = PDN_OBJECT_BEAM_ELEMENT,
+    /** What has a label: a shell element. */
+    shell_element = PDN_OBJECT_SHELL_ELEMENT,
+    /** What has a label: a force, but not a load. */
+    force = PDN_OBJECT_FORCE,
+    /** What has a label: a linear relation between joint coordinates. */
+    relation = PDN_OBJECT_RELATION,
+    /** What has a label: a load on a node. */
+    load = PDN_OBJECT_LOAD,
+    /** What has a label: a load along beam elements. */
+    beam_load = PDN_OBJECT_BEAM_LOAD,
+    /** What has a label: a load on shell elements. */
+    shell_load = PDN_OBJECT_SHELL_LOAD,
+    /** What has a label: the inertia of a rigid body, or a mass or inertia on a node. */
+    inertia = PDN_OBJECT_INERTIA,
+    /** What has a label: a prescribed coordinate. */
+    prescribed = PDN_OBJECT_PRESCRIBED,
+};
+/** Kind of force. */
+enum class ForceKind : std::int32_t {
+    /** Kind of force: springs and dampers on a joint coordinate. */
+    spring_damper = PDN_FORCE_IS_SPRING_DAMPER,
+    /** Kind of force: an actuator on a joint coordinate. */
+    actuator = PDN_FORCE_IS_ACTUATOR,
+    /** Kind of force: a law of the user on a joint coordinate. */
+    coordinate_law = PDN_FORCE_IS_COORDINATE_LAW,
+    /** Kind of force: a viscoelastic element on a joint coordinate. */
+    viscoelastic = PDN_FORCE_IS_VISCOELASTIC,
+    /** Kind of force: a viscous damper between two bodies. */
+    viscous_damper = PDN_FORCE_IS_VISCOUS_DAMPER,
+    /** Kind of force: a bushing between two frames. */
+    bushing = PDN_FORCE_IS_BUSHING,
+    /** Kind of force: forces of the user on nodes. */
+    user_force = PDN_FORCE_IS_USER_FORCE,
+    /** Kind of force: a controller. */
+    controller = PDN_FORCE_IS_CONTROLLER,
+    /** Kind of force: forces of the user on a shell element. */
+    surface_force = PDN_FORCE_IS_SURFACE_FORCE,
+};
+/** JointKind: Joint that allows no relative motion. */
+enum class JointKind : std::int32_t {
+    /** Joint that allows no relative motion. */
+    rigid = PDN_JOINT_RIGID,
+    /** Joint that allows a rotation about axis 3 of its frames. */
+    revolute = PDN_JOINT_REVOLUTE,
+    /** Joint that allows a rotation about axis 1 of its first frame, then about axis 2 of its
+     * second. */
+    universal = PDN_JOINT_UNIVERSAL,
+    /** Joint that allows all rotations. */
+    spherical = PDN_JOINT_SPHERICAL,
+    /** Joint that allows a displacement along axis 3 of its frames. */
+    prismatic = PDN_JOINT_PRISMATIC,
+    /** Joint that allows a displacement along axis 3 of its frames and a rotation about it. */
+    cylindrical = PDN_JOINT_CYLINDRICAL,
+    /** Joint that allows displacements along axes 1 and 2 of its first frame and a rotation about
+     * axis 3. */
+    planar = PDN_JOINT_PLANAR,
+    /** Joint that allows everything: it carries springs, prescribed coordinates and measures. */
+    free = PDN_JOINT_FREE,
+    /** Joint that allows a displacement along axis 3 of its frames, in proportion to the rotation
+     * about it; made by functions of its own, for its pitch. */
+    screw = PDN_JOINT_SCREW,
+    /** The line between two points, which constrains nothing; made by ::pdn_model_add_strut. */
+    strut = PDN_JOINT_STRUT,
+};
+/** Joint coordinate. */
+enum class Coordinate : std::int32_t {
+    /** Joint coordinate: the displacement, or the first of several. */
+    displacement = PDN_DISPLACEMENT,
+    /** Joint coordinate: second displacement of a planar or free joint. */
+    displacement_2 = PDN_DISPLACEMENT_2,
+    /** Joint coordinate: third displacement of a free joint. */
+    displacement_3 = PDN_DISPLACEMENT_3,
+    /** Joint coordinate: the angle, or the first of several. */
+    rotation = PDN_ROTATION,
+    /** Joint coordinate: second angle of a universal, spherical or free joint. */
+    rotation_2 = PDN_ROTATION_2,
+    /** Joint coordinate: third angle of a spherical or free joint. */
+    rotation_3 = PDN_ROTATION_3,
+};
+/** Directions of a load, or axes of a velocity, force or reaction. */
+enum class Frame : std::int32_t {
+    /** Directions of a load, or axes of a velocity, force or reaction: the global axes. */
+    space = PDN_FRAME_SPACE,
+    /** The same: the axes of the node, which a load follows. */
+    material = PDN_FRAME_MATERIAL,
+    /** Directions of a load along a beam: the axes that its sections have without twist, which
+     * follow the sections. */
+    untwisted = PDN_FRAME_UNTWISTED,
+    /** Axes of a joint reaction: the joint frame on the first body. */
+    first = PDN_FRAME_FIRST,
+    /** Axes of a joint reaction: the joint frame on the second body. */
+    second = PDN_FRAME_SECOND,
+};
+/** Component of a load. */
+enum class Component : std::int32_t {
+    /** Component of a load: force along axis 1. */
+    force_1 = PDN_FORCE_1,
+    /** Component of a load: force along axis 2. */
+    force_2 = PDN_FORCE_2,
+    /** Component of a load: force along axis 3. */
+    force_3 = PDN_FORCE_3,
+    /** Component of a load: moment about axis 1. */
+    moment_1 = PDN_MOMENT_1,
+    /** Component of a load: moment about axis 2. */
+    moment_2 = PDN_MOMENT_2,
+    /** Component of a load: moment about axis 3. */
+    moment_3 = PDN_MOMENT_3,
+};
+/** Frames of a shell. */
+enum class ShellFrames : std::int32_t {
+    /** Frames of a shell: along the normals of its surface at the nodes. */
+    normals = PDN_SHELL_NORMALS,
+    /** Frames of a shell: parallel at all nodes of an element. */
+    parallel = PDN_SHELL_PARALLEL,
+    /** Frames of a shell: along the third axes of the nodes' own frames, as normals of a surface
+     * that is known better than its elements show it; of use with two nodes a side. */
+    node_axes = PDN_SHELL_NODE_AXES,
+};
+/** Place of a load on a shell element. */
+enum class ShellPlace : std::int32_t {
+    /** Place of a load on a shell element: its edge where eta = -1, along xi. */
+    edge_start_eta = PDN_SHELL_EDGE_START_ETA,
+    /** Place of a load on a shell element: its edge where xi = 1, along eta. */
+    edge_end_xi = PDN_SHELL_EDGE_END_XI,
+    /** Place of a load on a shell element: its edge where eta = 1, along xi. */
+    edge_end_eta = PDN_SHELL_EDGE_END_ETA,
+    /** Place of a load on a shell element: its edge where xi = -1, along eta. */
+    edge_start_xi = PDN_SHELL_EDGE_START_XI,
+    /** Place of a load on a shell element: its surface. */
+    surface = PDN_SHELL_SURFACE,
+};
+/** BushingAngles: A bushing measures rotations by the rotation vector; its angle stays below half a
+ * turn. */
+enum class BushingAngles : std::int32_t {
+    /** A bushing measures rotations by the rotation vector; its angle stays below half a turn. */
+    rotation_vector = PDN_ANGLES_ROTATION_VECTOR,
+    /** A bushing measures the tilt of axis 3, as a rotation vector about axes 1 and 2, and the rate
+     * of the spin about axis 3, which may go on and on: for journal bearings and seals. */
+    tilt_and_spin = PDN_ANGLES_TILT_AND_SPIN,
+};
+/** Tangents of a user's function. */
+enum class Tangents : std::int32_t {
+    /** Tangents of a user's function: it gives none, and the library finds them by differences of
+     * its forces. */
+    differenced = PDN_TANGENTS_DIFFERENCED,
+    /** Tangents of a user's function: it gives them. */
+    given = PDN_TANGENTS_GIVEN,
+};
+/** Which tangent. */
+enum class Tangent : std::int32_t {
+    /** Which tangent: derivative by a motion or coordinate. */
+    motion = PDN_TANGENT_MOTION,
+    /** Which tangent: derivative by a velocity or rate. */
+    velocity = PDN_TANGENT_VELOCITY,
+};
+/** Outcome. */
+enum class Outcome : std::int32_t {
+    /** Outcome: converged. */
+    converged = PDN_CONVERGED,
+    /** Outcome: the iteration limit was reached. */
+    iteration_limit = PDN_ITERATION_LIMIT,
+    /** Outcome: no step along the Newton direction brings progress. */
+    stalled = PDN_STALLED,
+    /** Outcome: the Jacobian is singular; something is free to move, or in resonance without
+     * damping. */
+    singular = PDN_SINGULAR,
+    /** Outcome: the progress callback cancelled the solve. */
+    cancelled = PDN_CANCELLED,
+    /** Outcome: no initial guess could be found. */
+    no_initial_guess = PDN_NO_INITIAL_GUESS,
+    /** Outcome: constraints that depend on each other contradict each other; the mechanism is
+     * locked, or cannot close. */
+    inconsistent = PDN_INCONSISTENT,
+    /** Outcome: a joint has closed turned over, its axes against each other; the report names
+     * it. */
+    wrong_assembly = PDN_WRONG_ASSEMBLY,
+    /** Outcome: converged on the last grid tried, but the estimated error misses the tolerance, as
+     * the report explains; quantities are as good as pdn_diagnostics.error_estimate says. */
+    tolerance_not_met = PDN_TOLERANCE_NOT_MET,
+    /** Outcome: all work was done that pdn_periodic_options.work_limit allows, and the report tells
+     * what was tried; or as many steps of a march are kept as pdn_march_options.memory_limit
+     * allows. */
+    work_limit = PDN_WORK_LIMIT,
+};
+/** Decay of harmonics. */
+enum class Decay : std::int32_t {
+    /** Decay of harmonics: not known, as there are too few or the solve has not converged. */
+    unknown = PDN_DECAY_UNKNOWN,
+    /** Decay of harmonics: fast, as of a smooth response that the grid resolves. */
+    fast = PDN_DECAY_FAST,
+    /** Decay of harmonics: no faster than the fourth power of their number. */
+    slow = PDN_DECAY_SLOW,
+    /** Decay of harmonics: they have fallen to rounding; a finer grid gains nothing. */
+    rounding = PDN_DECAY_ROUNDING,
+};
+/** Feature of a quantity. */
+enum class Feature : std::int32_t {
+    /** Feature of a quantity: its mean over the period, without what it gains. */
+    mean = PDN_FEATURE_MEAN,
+    /** Feature of a quantity: coefficient of the cosine of a harmonic. */
+    cosine = PDN_FEATURE_COSINE,
+    /** Feature of a quantity: coefficient of the sine of a harmonic. */
+    sine = PDN_FEATURE_SINE,
+    /** Feature of a quantity: value at a time, of the trigonometric polynomial through the values
+     * at the grid points. */
+    value = PDN_FEATURE_VALUE,
+    /** Feature of a quantity, for sensitivities: its largest value over the period. */
+    largest = PDN_FEATURE_LARGEST,
+    /** Feature of a quantity, for sensitivities: its smallest value over the period. */
+    smallest = PDN_FEATURE_SMALLEST,
+};
+/** Spectral filter. */
+enum class Filter : std::int32_t {
+    /** Spectral filter: Lanczos' factors, (sin(x) / x)^order with x = pi j / (H + 1) for harmonic j
+     * of H. */
+    lanczos = PDN_FILTER_LANCZOS,
+    /** Spectral filter: exp(-36 (j / (H + 1))^order) for harmonic j of H. */
+    exponential = PDN_FILTER_EXPONENTIAL,
+};
+/** Stage of a solve. */
+enum class Stage : std::int32_t {
+    /** Stage of a solve: finding the initial guess, each iteration at a single instant. */
+    initial_guess = PDN_STAGE_INITIAL_GUESS,
+    /** Stage of a solve: Newton iterations of the periodic problem. */
+    newton = PDN_STAGE_NEWTON,
+    /** Stage of a march: a step, with the last of its iterations. */
+    march = PDN_STAGE_MARCH,
+    /** Stage of a modal analysis: looking for modes about the equilibrium. */
+    modes = PDN_STAGE_MODES,
+    /** Following disturbances of a periodic solution. */
+    stability = PDN_STAGE_STABILITY,
+};
+/** Start of a periodic solve. */
+enum class Start : std::int32_t {
+    /** Start of a periodic solve: the library tries those that suit, cheapest first. */
+    automatic = PDN_START_AUTOMATIC,
+    /** Start of a periodic solve: equilibrium at each time, without velocities. */
+    quasi_static = PDN_START_QUASI_STATIC,
+    /** Start of a periodic solve: equilibrium at each time of what turns steadily with its drives,
+     * with its centrifugal and gyroscopic forces. */
+    steady_rotation = PDN_START_STEADY_ROTATION,
+    /** Start of a periodic solve: all that hangs on drives turned with them, undeformed. */
+    rigid_rotation = PDN_START_RIGID_ROTATION,
+    /** Start of a periodic solve: the quasi-static motion, and inertial forces raised in steps. */
+    raised_inertia = PDN_START_RAISED_INERTIA,
+    /** Start of a periodic solve: a march in time with strong numerical dissipation. */
+    march = PDN_START_MARCH,
+    /** Start of a periodic solve: the quasi-static motion, and added damping taken away in
+     * steps. */
+    lowered_damping = PDN_START_LOWERED_DAMPING,
+    /** Start of a periodic solve: the reference configuration, and loads and prescribed motions
+     * raised in steps; not where these gain whole turns in a period. */
+    raised_loads = PDN_START_RAISED_LOADS,
+};
+/** TimeMap: Grid points are equispaced, but closer together where a solve to a tolerance finds the
+ * motion sharp. */
+enum class TimeMap : std::int32_t {
+    /** Grid points are equispaced, but closer together where a solve to a tolerance finds the
+     * motion sharp. */
+    automatic = PDN_TIME_MAP_AUTOMATIC,
+    /** Grid points are equispaced. */
+    equispaced = PDN_TIME_MAP_EQUISPACED,
+    /** Grid points are closer together about events that are given. */
+    events = PDN_TIME_MAP_EVENTS,
+};
+/** Linear equations. */
+enum class Linear : std::int32_t {
+    /** Linear equations: solved directly where that is quick, by iteration otherwise. */
+    automatic = PDN_LINEAR_AUTOMATIC,
+    /** Linear equations: solved by factors of the whole Jacobian. */
+    direct = PDN_LINEAR_DIRECT,
+    /** Linear equations: solved by iteration, with the preconditioner that suits; time and memory
+     * grow in proportion to nodes and grid points, or little more. */
+    iterative = PDN_LINEAR_ITERATIVE,
+    /** Linear equations: solved by iteration; bodies are averaged over time for the preconditioner,
+     * joints are not. */
+    body_circulant = PDN_LINEAR_BODY_CIRCULANT,
+    /** Linear equations: solved by iteration; the preconditioner is equilibrium at each grid point,
+     * without inertia. */
+    time_local = PDN_LINEAR_TIME_LOCAL,
+    /** Linear equations: solved by iteration; everything is averaged over time for the
+     * preconditioner. */
+    circulant = PDN_LINEAR_CIRCULANT,
+};
+/** Number: A parameter moves the coefficient of a power, from 1, of the growth of a spring-damper,
+ * or with power 1 the long-term stiffness of a viscoelastic force or a factor of the stiffness of a
+ * bushing. */
+enum class Number : std::int32_t {
+    /** A parameter moves the coefficient of a power, from 1, of the growth of a spring-damper, or
+     * with power 1 the long-term stiffness of a viscoelastic force or a factor of the stiffness of
+     * a bushing. */
+    stiffness = PDN_NUMBER_STIFFNESS,
+    /** A parameter moves the coefficient of a power, from 1, of the rate of a spring-damper, or
+     * with power 1 a factor of the damping of a bushing. */
+    damping = PDN_NUMBER_DAMPING,
+    /** A parameter moves the coordinate at which a spring-damper or viscoelastic force is free of
+     * effort. */
+    rest = PDN_NUMBER_REST,
+    /** A parameter moves a factor of an inertia: that of a rigid body, or a mass or inertia on a
+     * node. */
+    inertia = PDN_NUMBER_INERTIA,
+    /** A parameter moves a factor of the sections' stiffness along a beam element. */
+    beam_stiffness = PDN_NUMBER_BEAM_STIFFNESS,
+    /** A parameter moves a factor of the sections' mass along a beam element. */
+    beam_mass = PDN_NUMBER_BEAM_MASS,
+    /** A parameter moves a factor of the sections' damping along a beam element. */
+    beam_damping = PDN_NUMBER_BEAM_DAMPING,
+    /** A parameter moves the damping in proportion to mass, ::pdn_model_set_mass_damping. */
+    mass_damping = PDN_NUMBER_MASS_DAMPING,
+    /** A parameter moves a factor of the stiffness of a shell element. */
+    shell_stiffness = PDN_NUMBER_SHELL_STIFFNESS,
+    /** A parameter moves a factor of the mass of a shell element. */
+    shell_mass = PDN_NUMBER_SHELL_MASS,
+    /** A parameter moves a factor of the damping of a shell element. */
+    shell_damping = PDN_NUMBER_SHELL_DAMPING,
+    /** A parameter moves a factor of the thickness of a shell element, more than zero, all its
+     * layers alike: stiffness, damping and mass against stretching grow with it, against bending
+     * and turning with its cube, what couples them with its square. */
+    shell_thickness = PDN_NUMBER_SHELL_THICKNESS,
+    /** A parameter moves the rate of the frame that everything is described in,
+     * ::pdn_model_set_turning_frame. */
+    frame_rate = PDN_NUMBER_FRAME_RATE,
+    /** Numbers of a force: relaxation times of the branches of a viscoelastic element. */
+    relaxation_time = PDN_NUMBER_RELAXATION_TIME,
+};
+/** SignalOf: The signal of an actuator, a force. */
+enum class SignalOf : std::int32_t {
+    /** The signal of an actuator, a force. */
+    actuator = PDN_SIGNAL_OF_ACTUATOR,
+    /** The signal of a prescribed coordinate. */
+    prescribed = PDN_SIGNAL_OF_PRESCRIBED,
+    /** The signal of a component of a load on a node. */
+    load = PDN_SIGNAL_OF_LOAD,
+    /** The signal of a component of a load along beam elements. */
+    beam_load = PDN_SIGNAL_OF_BEAM_LOAD,
+    /** The signal of a component of gravity. */
+    gravity = PDN_SIGNAL_OF_GRAVITY,
+    /** The signal of a linear relation between joint coordinates. */
+    relation = PDN_SIGNAL_OF_RELATION,
+    /** The signal of a component of a load on shell elements. */
+    shell_load = PDN_SIGNAL_OF_SHELL_LOAD,
+};
+/** Part of a signal. */
+enum class SignalPart : std::int32_t {
+    /** Part of a signal: the mean that is added to its shape. */
+    mean = PDN_PART_MEAN,
+    /** Part of a signal: growth in a unit of time. */
+    rate = PDN_PART_RATE,
+    /** Part of a signal: the factor of its shape, which is its harmonics, its samples or its
+     * function. */
+    amplitude = PDN_PART_AMPLITUDE,
+    /** Part of a signal: the phase by which its shape is ahead \[radians\]. */
+    phase = PDN_PART_PHASE,
+};
+/** Sensitivities. */
+enum class SensitivityMethod : std::int32_t {
+    /** Sensitivities: with as few linear solves as can be, directly or adjoint. */
+    automatic = PDN_SENSITIVITY_AUTOMATIC,
+    /** Sensitivities: a linear solve for each parameter. */
+    direct = PDN_SENSITIVITY_DIRECT,
+    /** Sensitivities: a transposed linear solve for each dependent, by factors of the whole
+     * Jacobian. */
+    adjoint = PDN_SENSITIVITY_ADJOINT,
+};
+/** BranchEnd: A branch ended at an end of the parameter's range. */
+enum class BranchEnd : std::int32_t {
+    /** A branch ended at an end of the parameter's range. */
+    range = PDN_BRANCH_RANGE,
+    /** A branch ended as it came back to its first point. */
+    closed = PDN_BRANCH_CLOSED,
+    /** A branch ended as it has as many points as are allowed. */
+    point_limit = PDN_BRANCH_POINT_LIMIT,
+    /** A branch ended where the shortest step leads to no solution. */
+    smallest_step = PDN_BRANCH_SMALLEST_STEP,
+    /** A branch ended as it was cancelled. */
+    cancelled = PDN_BRANCH_CANCELLED,
+    /** A branch has no points, as there is no solution to start from. */
+    no_start = PDN_BRANCH_NO_START,
+    /** A branch ended with an error, such as that of a callback, which its report tells. */
+    failed = PDN_BRANCH_FAILED,
+};
+/** BranchEvent: Nothing happens at a point of a branch. */
+enum class BranchEvent : std::int32_t {
+    /** Nothing happens at a point of a branch. */
+    none = PDN_EVENT_NONE,
+    /** The parameter turns back at a point of a branch: a fold. */
+    fold = PDN_EVENT_FOLD,
+    /** Another branch passes through a point of a branch. */
+    branch_point = PDN_EVENT_BRANCH_POINT,
+    /** A branch of twice the period begins at a point of a branch. */
+    period_doubling = PDN_EVENT_PERIOD_DOUBLING,
+    /** A pair of complex multipliers is on the unit circle at a point of a branch: motions with a
+     * second frequency begin there. */
+    torus = PDN_EVENT_TORUS,
+};
+/** Verdict on stability. */
+enum class Verdict : std::int32_t {
+    /** Verdict on stability: it cannot be told, as multipliers are on the unit circle or not known
+     * well enough. */
+    not_known = PDN_STABILITY_NOT_KNOWN,
+    /** Verdict on stability: disturbances die away, but for those that only move the solution in
+     * time or space. */
+    stable = PDN_STABLE,
+    /** Verdict on stability: a disturbance grows. */
+    unstable = PDN_UNSTABLE,
+};
+///@}
+// END
 
 /** A point or a direction. */
 using Vector3 = std::array<double, 3>;
@@ -56,345 +571,14 @@ using Matrix3 = std::array<double, 9>;
 using Vector6 = std::array<double, 6>;
 /** A 6 x 6 matrix, column by column. */
 using Matrix6 = std::array<double, 36>;
-/** Numbers along two directions of a surface. */
-using Counts = std::array<std::size_t, 2>;
 /** C components at each of many times, or for each of many harmonics. */
 template <std::size_t C> using Series = std::vector<std::array<double, C>>;
-
-/** Numbers of the caller, looked at during a call only. */
-template <class T> class View
-{
-  public:
-    View() = default;
-    View(const T *data, std::size_t size) : data_(size == 0 ? &nothing : data), size_(size)
-    {
-    }
-    View(const std::vector<T> &vector) : View(vector.data(), vector.size())
-    {
-    }
-    View(std::initializer_list<T> list) : View(list.begin(), list.size())
-    {
-    }
-    template <std::size_t N> View(const std::array<T, N> &array) : View(array.data(), N)
-    {
-    }
-    template <std::size_t N> View(const T (&array)[N]) : View(array, N)
-    {
-    }
-    const T *data() const
-    {
-        return data_;
-    }
-    std::size_t size() const
-    {
-        return size_;
-    }
-
-  private:
-    static constexpr T nothing{}; // so that none is no NULL
-    const T *data_ = &nothing;
-    std::size_t size_ = 0;
-};
-using Reals = View<double>;
-using Ids = View<std::int32_t>;
-
-/** @name Choices, as the constants of periodyn.h */
-///@{
-enum class Coordinate : std::int32_t {
-    displacement = PDN_DISPLACEMENT,
-    displacement_2 = PDN_DISPLACEMENT_2,
-    displacement_3 = PDN_DISPLACEMENT_3,
-    rotation = PDN_ROTATION,
-    rotation_2 = PDN_ROTATION_2,
-    rotation_3 = PDN_ROTATION_3,
-};
-enum class JointKind : std::int32_t {
-    rigid = PDN_JOINT_RIGID,
-    revolute = PDN_JOINT_REVOLUTE,
-    universal = PDN_JOINT_UNIVERSAL,
-    spherical = PDN_JOINT_SPHERICAL,
-    prismatic = PDN_JOINT_PRISMATIC,
-    cylindrical = PDN_JOINT_CYLINDRICAL,
-    planar = PDN_JOINT_PLANAR,
-    free = PDN_JOINT_FREE,
-    screw = PDN_JOINT_SCREW, ///< of pdn_joint_info only
-    strut = PDN_JOINT_STRUT, ///< likewise
-};
-enum class Frame : std::int32_t {
-    space = PDN_FRAME_SPACE,
-    material = PDN_FRAME_MATERIAL,
-    untwisted = PDN_FRAME_UNTWISTED, ///< of loads along beams only
-};
-enum class ShellFrames : std::int32_t {
-    normals = PDN_SHELL_NORMALS,
-    parallel = PDN_SHELL_PARALLEL,
-    node_axes = PDN_SHELL_NODE_AXES,
-};
-enum class ShellPlace : std::int32_t {
-    edge_start_eta = PDN_SHELL_EDGE_START_ETA,
-    edge_end_xi = PDN_SHELL_EDGE_END_XI,
-    edge_end_eta = PDN_SHELL_EDGE_END_ETA,
-    edge_start_xi = PDN_SHELL_EDGE_START_XI,
-    surface = PDN_SHELL_SURFACE,
-};
-enum class Component : std::int32_t {
-    force_1 = PDN_FORCE_1,
-    force_2 = PDN_FORCE_2,
-    force_3 = PDN_FORCE_3,
-    moment_1 = PDN_MOMENT_1,
-    moment_2 = PDN_MOMENT_2,
-    moment_3 = PDN_MOMENT_3,
-};
-enum class Tangents : std::int32_t {
-    differenced = PDN_TANGENTS_DIFFERENCED,
-    given = PDN_TANGENTS_GIVEN,
-};
-enum class Tangent : std::int32_t { motion = PDN_TANGENT_MOTION, velocity = PDN_TANGENT_VELOCITY };
-enum class Axes : std::int32_t {
-    space = PDN_FRAME_SPACE,
-    first = PDN_FRAME_FIRST,
-    second = PDN_FRAME_SECOND,
-};
-enum class Outcome : std::int32_t {
-    converged = PDN_CONVERGED,
-    iteration_limit = PDN_ITERATION_LIMIT,
-    stalled = PDN_STALLED,
-    singular = PDN_SINGULAR,
-    cancelled = PDN_CANCELLED,
-    no_initial_guess = PDN_NO_INITIAL_GUESS,
-    inconsistent = PDN_INCONSISTENT,
-    wrong_assembly = PDN_WRONG_ASSEMBLY,
-    tolerance_not_met = PDN_TOLERANCE_NOT_MET,
-    work_limit = PDN_WORK_LIMIT,
-};
-/** How the upper half of harmonics falls, as pdn_diagnostics.decay tells. */
-enum class Decay : std::int32_t {
-    unknown = PDN_DECAY_UNKNOWN,
-    fast = PDN_DECAY_FAST,
-    slow = PDN_DECAY_SLOW,
-    rounding = PDN_DECAY_ROUNDING,
-};
-/** The parameter that every model has: the circular frequency. */
-constexpr std::int32_t frequency = PDN_FREQUENCY;
-
-/** A number of the model that a parameter moves. */
-enum class Number : std::int32_t {
-    stiffness = PDN_NUMBER_STIFFNESS,
-    damping = PDN_NUMBER_DAMPING,
-    rest = PDN_NUMBER_REST,
-    inertia = PDN_NUMBER_INERTIA,
-    beam_stiffness = PDN_NUMBER_BEAM_STIFFNESS,
-    beam_mass = PDN_NUMBER_BEAM_MASS,
-    beam_damping = PDN_NUMBER_BEAM_DAMPING,
-    mass_damping = PDN_NUMBER_MASS_DAMPING,
-    shell_stiffness = PDN_NUMBER_SHELL_STIFFNESS,
-    shell_mass = PDN_NUMBER_SHELL_MASS,
-    shell_damping = PDN_NUMBER_SHELL_DAMPING,
-    shell_thickness = PDN_NUMBER_SHELL_THICKNESS,
-    frame_rate = PDN_NUMBER_FRAME_RATE,
-};
-
-/** What of a quantity a condition holds. */
-enum class Feature : std::int32_t {
-    mean = PDN_FEATURE_MEAN,
-    cosine = PDN_FEATURE_COSINE,
-    sine = PDN_FEATURE_SINE,
-    value = PDN_FEATURE_VALUE,
-    /** The largest and the smallest value over the period: of sensitivities only. */
-    largest = PDN_FEATURE_LARGEST,
-    smallest = PDN_FEATURE_SMALLEST,
-};
-
-/** How sensitivities are found: by a linear solve for each parameter or for each dependent. */
-enum class SensitivityMethod : std::int32_t {
-    automatic = PDN_SENSITIVITY_AUTOMATIC,
-    direct = PDN_SENSITIVITY_DIRECT,
-    adjoint = PDN_SENSITIVITY_ADJOINT,
-};
-
-/** What has a signal that a parameter moves. */
-enum class SignalOf : std::int32_t {
-    actuator = PDN_SIGNAL_OF_ACTUATOR,
-    prescribed = PDN_SIGNAL_OF_PRESCRIBED,
-    load = PDN_SIGNAL_OF_LOAD,
-    beam_load = PDN_SIGNAL_OF_BEAM_LOAD,
-    gravity = PDN_SIGNAL_OF_GRAVITY,
-    relation = PDN_SIGNAL_OF_RELATION,
-    shell_load = PDN_SIGNAL_OF_SHELL_LOAD,
-};
-
-/** What has an id and may have a label. */
-enum class ObjectKind : std::int32_t {
-    node = PDN_OBJECT_NODE,
-    joint = PDN_OBJECT_JOINT,
-    beam_element = PDN_OBJECT_BEAM_ELEMENT,
-    shell_element = PDN_OBJECT_SHELL_ELEMENT,
-    force = PDN_OBJECT_FORCE,
-    relation = PDN_OBJECT_RELATION,
-    load = PDN_OBJECT_LOAD,
-    beam_load = PDN_OBJECT_BEAM_LOAD,
-    shell_load = PDN_OBJECT_SHELL_LOAD,
-    inertia = PDN_OBJECT_INERTIA,
-    prescribed = PDN_OBJECT_PRESCRIBED,
-};
-
-/** Kinds of pdn_force_info. */
-enum class ForceKind : std::int32_t {
-    spring_damper = PDN_FORCE_IS_SPRING_DAMPER,
-    actuator = PDN_FORCE_IS_ACTUATOR,
-    coordinate_law = PDN_FORCE_IS_COORDINATE_LAW,
-    viscoelastic = PDN_FORCE_IS_VISCOELASTIC,
-    viscous_damper = PDN_FORCE_IS_VISCOUS_DAMPER,
-    bushing = PDN_FORCE_IS_BUSHING,
-    user_force = PDN_FORCE_IS_USER_FORCE,
-    controller = PDN_FORCE_IS_CONTROLLER,
-    surface_force = PDN_FORCE_IS_SURFACE_FORCE,
-};
-
-/** Numbers of a force. */
-enum class ForceNumber : std::int32_t {
-    stiffness = PDN_NUMBER_STIFFNESS,
-    damping = PDN_NUMBER_DAMPING,
-    relaxation_time = PDN_NUMBER_RELAXATION_TIME,
-};
-
-/** A coordinate of a linear relation, and its coefficient. */
-struct RelationTerm {
-    std::int32_t joint;
-    Coordinate coordinate;
-    double coefficient;
-};
-
-/** A load along beam elements: its signals times factors, linear between fractions of their length; 1 if there are
- * none. axis_2 is the direction of Frame::untwisted. */
-struct BeamLoad {
-    std::int32_t first_element = 0, elements = 0;
-    Frame frame = Frame::space;
-    std::array<double, 3> axis_2{};
-    std::vector<double> fractions, factors;
-};
-
-/** A load on shell elements. */
-struct ShellLoad {
-    std::int32_t first_element = 0, elements = 0;
-    ShellPlace place = ShellPlace::surface;
-    Frame frame = Frame::space;
-};
-
-/** Bytes of a label at most. */
-constexpr std::int32_t longest_label = PDN_LABEL_LENGTH;
-
-/** How a bushing measures rotations. */
-enum class BushingAngles : std::int32_t {
-    rotation_vector = PDN_ANGLES_ROTATION_VECTOR,
-    tilt_and_spin = PDN_ANGLES_TILT_AND_SPIN,
-};
-
-/** The part of a signal that a parameter moves. */
-enum class SignalPart : std::int32_t {
-    mean = PDN_PART_MEAN,
-    rate = PDN_PART_RATE,
-    amplitude = PDN_PART_AMPLITUDE,
-    phase = PDN_PART_PHASE,
-};
-
-/** Why a branch ended. */
-enum class BranchEnd : std::int32_t {
-    range = PDN_BRANCH_RANGE,
-    closed = PDN_BRANCH_CLOSED,
-    point_limit = PDN_BRANCH_POINT_LIMIT,
-    smallest_step = PDN_BRANCH_SMALLEST_STEP,
-    cancelled = PDN_BRANCH_CANCELLED,
-    no_start = PDN_BRANCH_NO_START,
-    failed = PDN_BRANCH_FAILED,
-};
-
-/** What happens at a point of a branch: values of pdn_branch_point.event. */
-enum class BranchEvent : std::int32_t {
-    none = PDN_EVENT_NONE,
-    fold = PDN_EVENT_FOLD,
-    branch_point = PDN_EVENT_BRANCH_POINT,
-    period_doubling = PDN_EVENT_PERIOD_DOUBLING,
-    torus = PDN_EVENT_TORUS,
-};
-
-/** How linear equations are solved, as pdn_periodic_options.linear_solver asks for and pdn_diagnostics tells. */
-enum class Linear : std::int32_t {
-    automatic = PDN_LINEAR_AUTOMATIC,
-    direct = PDN_LINEAR_DIRECT,
-    iterative = PDN_LINEAR_ITERATIVE,
-    body_circulant = PDN_LINEAR_BODY_CIRCULANT,
-    time_local = PDN_LINEAR_TIME_LOCAL,
-    circulant = PDN_LINEAR_CIRCULANT,
-};
-enum class Filter : std::int32_t {
-    lanczos = PDN_FILTER_LANCZOS,
-    exponential = PDN_FILTER_EXPONENTIAL,
-};
-enum class Stage : std::int32_t {
-    initial_guess = PDN_STAGE_INITIAL_GUESS,
-    newton = PDN_STAGE_NEWTON,
-    march = PDN_STAGE_MARCH,
-    modes = PDN_STAGE_MODES,
-    stability = PDN_STAGE_STABILITY,
-};
-enum class Verdict : std::int32_t {
-    not_known = PDN_STABILITY_NOT_KNOWN,
-    stable = PDN_STABLE,
-    unstable = PDN_UNSTABLE,
-};
-/** Where a periodic solve starts, as pdn_periodic_options.start asks for and pdn_progress tells. */
-enum class Start : std::int32_t {
-    automatic = PDN_START_AUTOMATIC,
-    quasi_static = PDN_START_QUASI_STATIC,
-    steady_rotation = PDN_START_STEADY_ROTATION,
-    rigid_rotation = PDN_START_RIGID_ROTATION,
-    raised_inertia = PDN_START_RAISED_INERTIA,
-    march = PDN_START_MARCH,
-    lowered_damping = PDN_START_LOWERED_DAMPING,
-    raised_loads = PDN_START_RAISED_LOADS,
-};
-/** Where the points of grids are, as pdn_periodic_options.time_map asks for. */
-enum class TimeMap : std::int32_t {
-    automatic = PDN_TIME_MAP_AUTOMATIC,
-    equispaced = PDN_TIME_MAP_EQUISPACED,
-    events = PDN_TIME_MAP_EVENTS,
-};
-/** Kinds of quantities that are asked of solutions. */
-enum class Kind : std::int32_t {
-    position = PDN_NODE_POSITION,
-    rotation = PDN_NODE_ROTATION,
-    quaternion = PDN_NODE_QUATERNION,
-    velocity = PDN_NODE_VELOCITY,
-    acceleration = PDN_NODE_ACCELERATION,
-    coordinate = PDN_JOINT_COORDINATE,
-    coordinate_rate = PDN_JOINT_RATE,
-    coordinate_acceleration = PDN_JOINT_ACCELERATION,
-    driving_effort = PDN_JOINT_DRIVING_EFFORT,
-    reaction = PDN_JOINT_REACTION,
-    strain = PDN_BEAM_STRAIN,
-    beam_force = PDN_BEAM_FORCE,
-    beam_force_mean = PDN_BEAM_FORCE_MEAN,
-    beam_force_jump = PDN_BEAM_FORCE_JUMP,
-    effort = PDN_FORCE_EFFORT,
-    branch_effort = PDN_FORCE_BRANCH_EFFORT,
-    branch_elongation = PDN_FORCE_BRANCH_ELONGATION,
-    force_on_node = PDN_FORCE_ON_NODE,
-    bushing_efforts = PDN_FORCE_BUSHING_EFFORTS,
-    control_effort = PDN_FORCE_CONTROL_EFFORT,
-    control_state = PDN_FORCE_CONTROL_STATE,
-    relation_effort = PDN_RELATION_EFFORT,
-    shell_strain = PDN_SHELL_STRAIN,
-    shell_resultant = PDN_SHELL_RESULTANT,
-    stress_top = PDN_SHELL_STRESS_TOP,
-    stress_bottom = PDN_SHELL_STRESS_BOTTOM,
-};
-///@}
 
 /** What a call that fails throws: the status, and what was expected and what came. */
 class error : public std::runtime_error
 {
   public:
+    /** An error as of the library. */
     error(pdn_status status, const std::string &message)
         : std::runtime_error(message), status_(status)
     {
@@ -413,8 +597,9 @@ class error : public std::runtime_error
 namespace detail
 {
 
-/** What a callback threw on this thread, on its way to the call that failed by it. */
-inline thread_local std::exception_ptr carried;
+/** What a callback threw on this thread, on its way to the call that failed by it, or that progress
+ * cancelled by it. */
+inline thread_local std::exception_ptr carried, cancelling;
 
 /** The text that a function with a buffer writes. */
 template <class Write> std::string text(Write write)
@@ -430,6 +615,10 @@ template <class Write> std::string text(Write write)
 inline void check(pdn_status status)
 {
     const std::exception_ptr thrown = std::exchange(carried, nullptr);
+    const std::exception_ptr from_progress = std::exchange(cancelling, nullptr);
+    if (from_progress) {
+        std::rethrow_exception(from_progress);
+    }
     if (status == PDN_ERR_CALLBACK && thrown) {
         std::rethrow_exception(thrown);
     }
@@ -467,59 +656,35 @@ template <class Function, class Call> void hand_over(Function function, Call cal
     owned.release();
 }
 
-struct Free {
-    void operator()(pdn_model *model) const noexcept
-    {
-        pdn_model_free(model);
-    }
-    void operator()(pdn_solution *solution) const noexcept
-    {
-        pdn_solution_free(solution);
-    }
-    void operator()(pdn_modes *modes) const noexcept
-    {
-        pdn_modes_free(modes);
-    }
-    void operator()(pdn_conditions *conditions) const noexcept
-    {
-        pdn_conditions_free(conditions);
-    }
-    void operator()(pdn_sensitivities *sensitivities) const noexcept
-    {
-        pdn_sensitivities_free(sensitivities);
-    }
-    void operator()(pdn_branch *branch) const noexcept
-    {
-        pdn_branch_free(branch);
-    }
-    void operator()(pdn_stability *stability) const noexcept
-    {
-        pdn_stability_free(stability);
-    }
-    void operator()(pdn_table *table) const noexcept
-    {
-        pdn_table_free(table);
-    }
-    void operator()(pdn_equations *equations) const noexcept
-    {
-        pdn_equations_free(equations);
-    }
-};
-
-/** The handle that a function makes. */
-template <class T, class Make> std::unique_ptr<T, Free> make(Make function)
+/** A struct with its defaults. */
+template <class T> T initialised(void (*initialise)(T *, std::size_t))
 {
-    T *handle = nullptr;
-    check(function(&handle));
-    return std::unique_ptr<T, Free>(handle);
+    T made;
+    initialise(&made, sizeof made);
+    return made;
 }
 
-/** A number that a function writes. */
-template <class T, class Write> T number(Write write)
+/** Throws if an array has another number of entries than it must have. */
+inline void check_size(const std::string &name, std::size_t expected, std::size_t got)
 {
-    T value{};
-    check(write(&value));
-    return value;
+    if (got != expected) {
+        throw error(PDN_ERR_SIZE, name + ": expected " + std::to_string(expected) +
+                                      " entries, got " + std::to_string(got));
+    }
+}
+
+/** The length that arrays have in common; those that may be left out may also be empty. */
+inline std::size_t
+common(std::initializer_list<std::pair<const char *, std::size_t>> arrays, bool may_be_empty)
+{
+    std::size_t length = 0;
+    for (const auto &[name, size] : arrays) {
+        length = std::max(length, size);
+    }
+    for (const auto &[name, size] : arrays) {
+        check_size(name, may_be_empty && size == 0 ? 0 : length, size);
+    }
+    return length;
 }
 
 /** Entries of fixed size as the plain numbers that they are. */
@@ -532,2908 +697,3359 @@ template <std::size_t C> double *flat(Series<C> &series)
     return reinterpret_cast<double *>(series.data());
 }
 
-template <class Enum> constexpr std::int32_t c(Enum value)
+/** The same of options about all nodes, or NULL if there are none; of as many as there must be. */
+template <std::size_t C>
+const double *flat(const Series<C> &series, std::size_t nodes, std::size_t points, const char *name)
 {
-    return static_cast<std::int32_t>(value);
+    if (series.empty() || nodes == 0) {
+        return nullptr;
+    }
+    check_size(std::string("options.") + name, nodes * points, series.size());
+    return flat(series);
 }
+
+/** @name What C++ has, as the library takes it */
+///@{
+template <class Choice, class = std::enable_if_t<!std::is_class_v<Choice>>>
+constexpr std::int32_t in(Choice enumerator_or_bool)
+{
+    return static_cast<std::int32_t>(enumerator_or_bool);
+}
+inline const char *in(const std::string &text)
+{
+    return text.c_str();
+}
+template <std::size_t N> const double *in(const std::array<double, N> &array)
+{
+    return array.data();
+}
+template <class T> const T *in(const std::vector<T> &array)
+{
+    static constexpr T nothing{}; // so that none is no NULL
+    return array.empty() ? &nothing : array.data();
+}
+template <std::size_t C> const double *in(const Series<C> &series)
+{
+    return flat(series);
+}
+template <class T> auto in(const std::optional<T> &value) -> decltype(in(*value))
+{
+    return value ? in(*value) : nullptr;
+}
+/** The handle of an object that may be left out, but not moved from. */
+template <class T> auto in(const T *object, const char *name) -> decltype(object->get())
+{
+    if (object != nullptr && object->get() == nullptr) {
+        throw error(PDN_ERR_NULL,
+                    std::string(name) + ": expected an object, got one that was moved from");
+    }
+    return object == nullptr ? nullptr : object->get();
+}
+template <class T> const T *in_or_null(const std::vector<T> &array)
+{
+    return array.empty() ? nullptr : array.data();
+}
+/** What is converted one by one, and there until the call has ended. */
+template <class T> struct Converted : std::vector<T> {
+    operator const T *() const
+    {
+        return this->data();
+    }
+};
+inline Converted<std::int32_t> in(const std::vector<Coordinate> &coordinates)
+{
+    Converted<std::int32_t> codes;
+    for (const Coordinate coordinate : coordinates) {
+        codes.push_back(in(coordinate));
+    }
+    return codes;
+}
+///@}
 
 /** Functions of signals that the library may still call, kept by models and solutions. */
 using Kept = std::vector<std::shared_ptr<const void>>;
 
 } // namespace detail
 
-/** @name The library */
+/** An effort on a joint coordinate, with its derivatives. */
+struct Effort {
+    double effort;        ///< that resists growth
+    double by_coordinate; ///< its derivative by the coordinate
+    double by_rate;       ///< and by the rate of the coordinate
+};
+
+/** Told of progress: true to go on, false to cancel. */
+using Progress = std::function<bool(const pdn_progress &)>;
+/** Told of each point of a branch, and its number; likewise. */
+using BranchProgress = std::function<bool(const pdn_branch_point &, std::int32_t)>;
+
+/** An array of the library's, with an index for each extent of the shape that C tells, in its
+ * order: of shape 3 x [node_count] (component, node). */
+template <class T, std::size_t N> class Entries
+{
+  public:
+    /** Numbers, the first index fastest. */
+    Entries(T *data, const std::array<std::size_t, N> &extents) : data_(data), extents_(extents)
+    {
+    }
+    /** Whether they are wanted, as tangents may not be. */
+    explicit operator bool() const
+    {
+        return data_ != nullptr;
+    }
+    /** An entry; throws std::out_of_range if there is none, std::logic_error if none is wanted. */
+    template <class... Index> T &operator()(Index... index) const
+    {
+        static_assert(sizeof...(index) == N, "an index of each kind");
+        if (data_ == nullptr) {
+            throw std::logic_error("Entries: tangents that are not wanted are asked for");
+        }
+        std::size_t place = 0, stride = 1, i = 0;
+        for (const std::size_t given : {static_cast<std::size_t>(index)...}) {
+            if (given >= extents_[i]) {
+                throw std::out_of_range("Entries: index " + std::to_string(given) +
+                                        " is not below " + std::to_string(extents_[i]));
+            }
+            place += given * stride;
+            stride *= extents_[i++];
+        }
+        return data_[place];
+    }
+
+  private:
+    T *data_;
+    std::array<std::size_t, N> extents_;
+};
+
+namespace detail
+{
+
+/** Whether a law gives derivatives. */
+template <class Law>
+constexpr Tangents tangents_of =
+    std::is_convertible_v<std::invoke_result_t<Law &, double, double, double>, Effort>
+        ? Tangents::given
+        : Tangents::differenced;
+
+/** @name What functions of the caller return, written to where the library wants it */
 ///@{
-inline std::string version()
+inline void write(double value, double *out, const double * /* no derivatives */ = nullptr)
 {
-    return pdn_version();
+    *out = value;
 }
-inline std::string build_info()
+inline void write(const Vector3 &point, double *out)
 {
-    return pdn_build_info();
+    std::copy(point.begin(), point.end(), out);
 }
-inline std::string status_name(pdn_status status)
+inline void write(const std::pair<Vector3, Vector3> &point_and_axis, double *point, double *axis)
 {
-    return pdn_status_name(status);
+    write(point_and_axis.first, point);
+    write(point_and_axis.second, axis);
 }
-inline std::string status_message(pdn_status status)
+inline void write(const Effort &given, double *effort, double *derivatives)
 {
-    return pdn_status_message(status);
-}
-/** For a library on top of this one: what pdn_last_error is to give on this thread. */
-inline void set_last_error(const std::string &message)
-{
-    detail::check(pdn_set_last_error(message.c_str()));
-}
-/** What the last callback that failed on this thread returned; 1 if it threw. */
-inline std::int32_t last_callback_code()
-{
-    return pdn_last_callback_code();
-}
-inline void set_panic_printing(bool enabled)
-{
-    pdn_set_panic_printing(enabled);
+    *effort = given.effort;
+    if (derivatives != nullptr) {
+        derivatives[0] = given.by_coordinate;
+        derivatives[1] = given.by_rate;
+    }
 }
 ///@}
 
-/** Cross-section of a beam; its matrices may also be written directly. */
-struct Section : pdn_section {
-    Section()
-    {
-        pdn_section_init(this, sizeof(pdn_section));
+/** Whether progress cancels, by what it says or throws. */
+template <class Tell> std::int32_t cancelled(Tell tell) noexcept
+{
+    try {
+        return tell() ? 0 : 1;
+    } catch (...) {
+        cancelling = std::current_exception();
+        return 1;
     }
-    /** Without couplings: six stiffnesses; mass and three moments of inertia for each unit of
-     * length. */
-    Section(const std::array<double, 6> &stiffnesses, const std::array<double, 4> &masses)
-        : Section()
+}
+
+} // namespace detail
+
+// WRITTEN BY script/cpp_interface: callbacks
+/** What a user's forces on nodes may depend on. */
+struct ForceState {
+    /** As the library made it. */
+    const pdn_force_state &state;
+    /** Time, in [0, T) of the period T of the solve, but for the first calls of a solve
+     * (::pdn_user_force_fn). */
+    const double time = state.time;
+    /** Number of nodes. */
+    const std::size_t node_count = state.node_count;
+    /** Positions, global coordinates [length]. */
+    const Entries<const double, 2> positions{state.positions, {3, state.node_count}};
+    /** Rotation matrices, column by column; the columns are the nodes' axes in global
+     * coordinates. */
+    const Entries<const double, 2> rotations{state.rotations, {9, state.node_count}};
+    /** Velocity and angular velocity of each node relative to the inertial frame, also in a steady
+     * rotation (::pdn_solve_static), along the global axes (PDN_FRAME_SPACE) or the node's own
+     * (PDN_FRAME_MATERIAL). */
+    const Entries<const double, 2> velocities{state.velocities, {6, state.node_count}};
+};
+
+/** Where a user's forces go. */
+struct ForceValues {
+    /** As the library made it. */
+    const pdn_force_state &state;
+    /** The same. */
+    const pdn_force_values &values;
+    /** Force on each node and moment about it [force, force * length]. */
+    const Entries<double, 2> forces{values.forces, {6, state.node_count}};
+    /** Derivatives of forces by displacements and turns. NULL if tangents are not wanted, or were
+     * said not to be given. */
+    const Entries<double, 4> by_motion{values.by_motion, {6, state.node_count, 6,
+        state.node_count}};
+    /** The same by velocities and angular velocities. */
+    const Entries<double, 4> by_velocity{values.by_velocity, {6, state.node_count, 6,
+        state.node_count}};
+};
+
+/** What a controller reads. */
+struct ControllerState {
+    /** As the library made it. */
+    const pdn_controller_state &state;
+    /** Time, in [0, T) of the period T of the solve, but for the first calls of a solve
+     * (::pdn_controller_fn). */
+    const double time = state.time;
+    /** Number of coordinates that are read. */
+    const std::size_t input_count = state.input_count;
+    /** The coordinates, angles with their whole turns [length or radian]. */
+    const Entries<const double, 1> inputs{state.inputs, {state.input_count}};
+    /** Their rates. */
+    const Entries<const double, 1> input_rates{state.input_rates, {state.input_count}};
+    /** Number of states. */
+    const std::size_t state_count = state.state_count;
+    /** The states. */
+    const Entries<const double, 1> states{state.states, {state.state_count}};
+};
+
+/** Where a controller writes. */
+struct ControllerValues {
+    /** As the library made it. */
+    const pdn_controller_state &state;
+    /** The same. */
+    const pdn_controller_values &values;
+    /** Number of coordinates that it acts on. */
+    const std::size_t output_count = values.output_count;
+    /** Efforts on the coordinates that it acts on, towards growth [force on a displacement, force *
+     * length on an angle]. */
+    const Entries<double, 1> efforts{values.efforts, {values.output_count}};
+    /** Rates of the states. */
+    const Entries<double, 1> state_rates{values.state_rates, {state.state_count}};
+    /** Derivatives by the coordinates. NULL if tangents are not wanted, or were said not to be
+     * given. */
+    const Entries<double, 2> by_inputs{values.by_inputs, {values.output_count + state.state_count,
+        state.input_count}};
+    /** The same by their rates. */
+    const Entries<double, 2> by_input_rates{values.by_input_rates,
+        {values.output_count + state.state_count, state.input_count}};
+    /** Derivatives by the states. */
+    const Entries<double, 2> by_states{values.by_states, {values.output_count + state.state_count,
+        state.state_count}};
+};
+
+/** What a user's forces on a shell element may depend on: the points of a quadrature over its
+ * surface or an edge. */
+struct SurfaceState {
+    /** As the library made it. */
+    const pdn_surface_state &state;
+    /** Time, in [0, T) of the period T of the solve, but for the first calls of a solve
+     * (::pdn_surface_force_fn). */
+    const double time = state.time;
+    /** Id of the shell element. */
+    const std::int32_t element = state.element;
+    /** Number of points. */
+    const std::size_t point_count = state.point_count;
+    /** Xi and eta of each, from -1 to 1. */
+    const Entries<const double, 2> places{state.places, {2, state.point_count}};
+    /** The reference area, or length of an edge, that each stands for: a force is this much of what
+     * the function gives. */
+    const Entries<const double, 1> sizes{state.sizes, {state.point_count}};
+    /** Positions, global coordinates [length]. */
+    const Entries<const double, 2> positions{state.positions, {3, state.point_count}};
+    /** Rotation matrices, column by column; the columns are the axes of the point in global
+     * coordinates, those of a follower load: on the surface axes 1, 2 and the normal, on an edge 1
+     * along it, 3 along the normal, and 2 = 3 * 1. */
+    const Entries<const double, 2> rotations{state.rotations, {9, state.point_count}};
+    /** Velocity and angular velocity of each point relative to the inertial frame, also in a steady
+     * rotation (::pdn_solve_static), along the global axes (PDN_FRAME_SPACE) or the point's own
+     * (PDN_FRAME_MATERIAL). */
+    const Entries<const double, 2> velocities{state.velocities, {6, state.point_count}};
+};
+
+/** Where a user's forces on a shell element go. */
+struct SurfaceValues {
+    /** As the library made it. */
+    const pdn_surface_state &state;
+    /** The same. */
+    const pdn_surface_values &values;
+    /** Force at each point and moment about it. */
+    const Entries<double, 2> forces{values.forces, {6, state.point_count}};
+    /** Derivatives of the force at a point by displacements and turns of this point. NULL if
+     * tangents are not wanted, or were said not to be given. */
+    const Entries<double, 3> by_motion{values.by_motion, {6, 6, state.point_count}};
+    /** The same by velocities and angular velocities. */
+    const Entries<double, 3> by_velocity{values.by_velocity, {6, 6, state.point_count}};
+};
+
+namespace detail
+{
+
+/** A function of time, to be written by the caller. */
+template <class Function>
+std::int32_t signal_fn(double time, double *value, void *function) noexcept
+{
+    return guarded([=] {
+        write((*static_cast<Function *>(function))(time), value);
+    });
+}
+
+/** A smooth curve in space, to be written by the caller. */
+template <class Function>
+std::int32_t curve_fn(double fraction, double *position, double *axis_2, void *function) noexcept
+{
+    return guarded([=] {
+        write((*static_cast<Function *>(function))(fraction), position, axis_2);
+    });
+}
+
+/** A surface in space, to be written by the caller. */
+template <class Function>
+std::int32_t surface_fn(double u, double v, double *position, void *function) noexcept
+{
+    return guarded([=] {
+        write((*static_cast<Function *>(function))(u, v), position);
+    });
+}
+
+/** A law of effort on a joint coordinate, to be written by the caller. */
+template <class Function>
+std::int32_t coordinate_law_fn(double time, double coordinate, double rate, double *effort,
+    double *derivatives, void *function) noexcept
+{
+    return guarded([=] {
+        write((*static_cast<Function *>(function))(time, coordinate, rate), effort, derivatives);
+    });
+}
+
+/** Forces on nodes, to be computed by the caller. */
+template <class Function>
+std::int32_t user_force_fn(const pdn_force_state *state, pdn_force_values *values,
+    void *function) noexcept
+{
+    return guarded([=] {
+        ForceValues out{*state, *values};
+        (*static_cast<Function *>(function))(ForceState{*state}, out);
+    });
+}
+
+/** A controller, to be written by the caller. */
+template <class Function>
+std::int32_t controller_fn(const pdn_controller_state *state, pdn_controller_values *values,
+    void *function) noexcept
+{
+    return guarded([=] {
+        ControllerValues out{*state, *values};
+        (*static_cast<Function *>(function))(ControllerState{*state}, out);
+    });
+}
+
+/** Forces on shells, to be computed by the caller, such as of a fluid: for all points of one
+ * element at once, each by the motion of this point alone. */
+template <class Function>
+std::int32_t surface_force_fn(const pdn_surface_state *state, pdn_surface_values *values,
+    void *function) noexcept
+{
+    return guarded([=] {
+        SurfaceValues out{*state, *values};
+        (*static_cast<Function *>(function))(SurfaceState{*state}, out);
+    });
+}
+
+/** Called after each Newton iteration, or after each step of a march, and while one lasts about ten
+ * times a second, on the solving thread. */
+template <class Function>
+std::int32_t progress_fn(const pdn_progress *progress, void *function) noexcept
+{
+    return cancelled([=] {
+        return (*static_cast<Function *>(function))(*progress);
+    });
+}
+
+/** Called with each point of a branch, on the thread that follows it; `number` counts from 1. */
+template <class Function>
+std::int32_t branch_fn(const pdn_branch_point *point, int32_t number, void *function) noexcept
+{
+    return cancelled([=] {
+        return (*static_cast<Function *>(function))(*point, number);
+    });
+}
+
+} // namespace detail
+// END
+
+/** A scalar function of time. A number, or a function of time, is a signal too. */
+struct Signal : pdn_signal {
+    // WRITTEN BY script/cpp_interface: pdn_signal
+    /** With its defaults. */
+    Signal()
+        : pdn_signal(detail::initialised(pdn_signal_init))
     {
-        detail::check(pdn_section_set_diagonal(this, stiffnesses.data(), masses.data()));
     }
-    /** Damping = seconds * stiffness. */
-    void set_proportional_damping(double seconds)
+    /** Makes a signal constant. */
+    Signal &set_constant(double value)
     {
-        detail::check(pdn_section_set_proportional_damping(this, seconds));
+        detail::check(pdn_signal_set_constant(this, value));
+        return *this;
     }
-    /** Damping = diag(seconds) * stiffness: one time for each force and moment. */
-    void set_component_damping(const std::array<double, 6> &seconds)
+    /** Makes a signal of harmonics, mean and rate. */
+    Signal &set_harmonics(double mean_ = 0.0, double rate_ = 0.0,
+        std::vector<double> cosines_ = {}, std::vector<double> sines_ = {})
     {
-        detail::check(pdn_section_set_component_damping(this, seconds.data()));
+        const std::size_t count = detail::common({{"cosines", cosines_.size()},
+            {"sines", sines_.size()}}, true);
+        auto owned = std::make_shared<std::array<std::vector<double>, 2>>();
+        (*owned)[0] = std::move(cosines_);
+        (*owned)[1] = std::move(sines_);
+        detail::check(pdn_signal_set_harmonics(this, mean_, rate_, (*owned)[0].data(),
+            (*owned)[1].data(), count));
+        kept = std::move(owned);
+        return *this;
+    }
+    /** Makes a signal rate t plus the trigonometric interpolation of samples[k] at t = k T /
+     * count. */
+    Signal &set_samples(std::vector<double> samples_, double rate_ = 0.0)
+    {
+        const std::size_t count = samples_.size();
+        auto owned = std::make_shared<std::array<std::vector<double>, 1>>();
+        (*owned)[0] = std::move(samples_);
+        detail::check(pdn_signal_set_samples(this, rate_, (*owned)[0].data(), count));
+        kept = std::move(owned);
+        return *this;
+    }
+    /** Makes a signal a function of the caller. */
+    template <class Function>
+    Signal &set_function(Function function_)
+    {
+        auto owned = std::make_shared<Function>(std::move(function_));
+        detail::check(pdn_signal_set_function(this, &detail::signal_fn<Function>, owned.get()));
+        kept = std::move(owned);
+        return *this;
+    }
+    /** Makes a signal a function of the caller, of the phase 2 pi t / T \[radians\], which it is
+     * told in place of the time: it holds for any period T. */
+    template <class Function>
+    Signal &set_function_of_phase(Function function_)
+    {
+        auto owned = std::make_shared<Function>(std::move(function_));
+        detail::check(pdn_signal_set_function_of_phase(this, &detail::signal_fn<Function>,
+            owned.get()));
+        kept = std::move(owned);
+        return *this;
+    }
+    /** What the library is to find as long as it needs this. */
+    std::shared_ptr<const void> kept;
+    // END
+
+    /** A constant. */
+    Signal(double value) : Signal()
+    {
+        set_constant(value);
+    }
+    /** A function double(double time), kept as long as models and solutions need it. */
+    template <class Function,
+              class = std::enable_if_t<std::is_invocable_r_v<double, Function &, double>>>
+    Signal(Function of_time) : Signal()
+    {
+        set_function(std::move(of_time));
     }
 };
 
-/** Section of a shell; its matrices may also be written directly. */
-struct ShellSection : pdn_shell_section {
-    ShellSection()
+// WRITTEN BY script/cpp_interface: structs
+/** Cross-section of a beam, per unit of length. */
+struct Section : pdn_section {
+    /** With its defaults. */
+    Section()
+        : pdn_section(detail::initialised(pdn_section_init))
     {
-        pdn_shell_section_init(this, sizeof(pdn_shell_section));
     }
-    /** Of one isotropic material. */
-    ShellSection(double thickness, double young, double poisson, double density,
-                 double drilling = 1.0, double drilling_gradient = 0.1)
-        : ShellSection()
+    /** Describes a section without couplings: centroid, shear centre and centre of mass lie on the
+     * beam's line, and axes 2 and 3 are principal. */
+    Section &set_diagonal(const Vector6 &stiffness_, const std::array<double, 4> &mass_)
+    {
+        detail::check(pdn_section_set_diagonal(this, detail::in(stiffness_), detail::in(mass_)));
+        return *this;
+    }
+    /** Gives a section damping with one time for each force and moment: damping = diag(seconds) *
+     * stiffness, which must have been set. */
+    Section &set_component_damping(const Vector6 &seconds)
+    {
+        detail::check(pdn_section_set_component_damping(this, detail::in(seconds)));
+        return *this;
+    }
+    /** Gives a section damping in proportion to its stiffness, which must have been set. */
+    Section &set_proportional_damping(double seconds)
+    {
+        detail::check(pdn_section_set_proportional_damping(this, seconds));
+        return *this;
+    }
+};
+
+/** Reference line of a beam: a frame at each fraction of the span, with axis 1 along the line. */
+struct Line : pdn_line {
+    /** With its defaults. */
+    Line()
+        : pdn_line(detail::initialised(pdn_line_init))
+    {
+    }
+    /** Makes a line straight. */
+    Line &set_straight(const Vector3 &start_, const Vector3 &end_, const Vector3 &axis_2_)
+    {
+        detail::check(pdn_line_set_straight(this, detail::in(start_), detail::in(end_),
+            detail::in(axis_2_)));
+        return *this;
+    }
+    /** Makes a line the circular arc from start through point to end, of up to a whole turn. */
+    Line &set_arc(const Vector3 &start_, const Vector3 &point_, const Vector3 &end_,
+        const Vector3 &axis_2_)
+    {
+        detail::check(pdn_line_set_arc(this, detail::in(start_), detail::in(point_),
+            detail::in(end_), detail::in(axis_2_)));
+        return *this;
+    }
+    /** Makes a line a curve that the caller computes. */
+    template <class Function>
+    Line &set_curve(Function curve_)
+    {
+        auto owned = std::make_shared<Function>(std::move(curve_));
+        detail::check(pdn_line_set_curve(this, &detail::curve_fn<Function>, owned.get()));
+        kept = std::move(owned);
+        return *this;
+    }
+    /** What the library is to find as long as it needs this. */
+    std::shared_ptr<const void> kept;
+};
+
+/** A surface: a point for each pair (u, v), each from 0 to 1. */
+struct Surface : pdn_surface {
+    /** With its defaults. */
+    Surface()
+        : pdn_surface(detail::initialised(pdn_surface_init))
+    {
+    }
+    /** Makes a surface a parallelogram, such as a rectangle. */
+    Surface &set_parallelogram(const Vector3 &corner, const Vector3 &along_u,
+        const Vector3 &along_v)
+    {
+        detail::check(pdn_surface_set_parallelogram(this, detail::in(corner), detail::in(along_u),
+            detail::in(along_v)));
+        return *this;
+    }
+    /** Makes a surface an annulus or a sector of one: u from the inner to the outer radius, v
+     * around the axis. */
+    Surface &set_annulus(const Vector3 &centre, const Vector3 &axis_, const Vector3 &start_,
+        double inner, double outer, double angle_)
+    {
+        detail::check(pdn_surface_set_annulus(this, detail::in(centre), detail::in(axis_),
+            detail::in(start_), inner, outer, angle_));
+        return *this;
+    }
+    /** Makes a surface a cylinder or a sector of one: u around the axis, v along it. */
+    Surface &set_cylinder(const Vector3 &centre, const Vector3 &axis_, const Vector3 &start_,
+        double radius, double length, double angle_)
+    {
+        detail::check(pdn_surface_set_cylinder(this, detail::in(centre), detail::in(axis_),
+            detail::in(start_), radius, length, angle_));
+        return *this;
+    }
+    /** Makes a surface one that the caller computes, smooth within each element. */
+    template <class Function>
+    Surface &set_function(Function function_)
+    {
+        auto owned = std::make_shared<Function>(std::move(function_));
+        detail::check(pdn_surface_set_function(this, &detail::surface_fn<Function>, owned.get()));
+        kept = std::move(owned);
+        return *this;
+    }
+    /** What the library is to find as long as it needs this. */
+    std::shared_ptr<const void> kept;
+};
+
+/** Stiffness, damping and mass of a shell, per unit of its reference area. */
+struct ShellSection : pdn_shell_section {
+    /** With its defaults. */
+    ShellSection()
+        : pdn_shell_section(detail::initialised(pdn_shell_section_init))
+    {
+    }
+    /** Makes a section that of one isotropic, linearly elastic material. */
+    ShellSection &set_isotropic(double thickness, double young, double poisson, double density,
+        double drilling = 1.0, double drilling_gradient = 0.1)
     {
         detail::check(pdn_shell_section_set_isotropic(this, thickness, young, poisson, density,
-                                                      drilling, drilling_gradient));
+            drilling, drilling_gradient));
+        return *this;
     }
-    /** Damping = seconds * stiffness. */
-    void set_proportional_damping(double seconds)
+    /** Gives a section damping in proportion to its stiffness, which must have been set. */
+    ShellSection &set_proportional_damping(double seconds)
     {
         detail::check(pdn_shell_section_set_proportional_damping(this, seconds));
+        return *this;
     }
 };
 
 /** How a shell lies on its nodes. */
 struct ShellPlacement : pdn_shell_placement {
-    /** A direction of zero stands for axes as close to xi and eta as they can be. */
-    ShellPlacement(ShellFrames kind = ShellFrames::normals, double distance = 0.0,
-                   const Vector3 &axis_1 = {})
+    /** With its defaults. */
+    ShellPlacement()
+        : pdn_shell_placement(detail::initialised(pdn_shell_placement_init))
     {
-        pdn_shell_placement_init(this, sizeof(pdn_shell_placement));
-        frames = detail::c(kind);
-        offset = distance;
-        for (std::size_t i = 0; i < 3; ++i) {
-            direction[i] = axis_1[i];
-        }
+    }
+    /** PDN_SHELL_NORMALS, PDN_SHELL_PARALLEL or PDN_SHELL_NODE_AXES. */
+    ShellFrames frames = static_cast<ShellFrames>(pdn_shell_placement::frames);
+    /** As the library takes it, valid while this object stays as it is. */
+    const pdn_shell_placement *get()
+    {
+        pdn_shell_placement::frames = detail::in(frames);
+        return this;
     }
 };
+// END
 
 /** Sections along a beam, linear between stations. */
-class Stations
-{
-  public:
-    /** One section for all of the beam. */
-    Stations(const Section &section) : sections_{section}
+struct Stations : pdn_stations {
+    // WRITTEN BY script/cpp_interface: pdn_stations
+    /** With its defaults. */
+    Stations()
+        : pdn_stations(detail::initialised(pdn_stations_init))
     {
+    }
+    /** Places along the span, from 0 at the start to 1 at the end, ascending; two stations at the
+     * same place make a jump. May be NULL if count is 1. */
+    std::vector<double> fractions;
+    /** The sections, each initialised. */
+    std::vector<Section> sections;
+    /** Structural twist, the angles by which axes 2 and 3 of the sections are turned about axis 1
+     * from those of the line, right-handed, linear between stations [radian]. NULL for none. It has
+     * no jumps. */
+    std::vector<double> twists;
+    /** As the library takes it, valid while this object stays as it is. */
+    const pdn_stations *get()
+    {
+        pdn_stations::fractions = detail::in_or_null(fractions);
+        pdn_stations::sections = detail::in_or_null(sections);
+        pdn_stations::twists = detail::in_or_null(twists);
+        pdn_stations::count = detail::common({{"fractions", fractions.size()},
+            {"sections", sections.size()}, {"twists", twists.size()}}, true);
+        return this;
+    }
+    // END
+
+    /** One section for all of the beam. */
+    Stations(const Section &section) : Stations()
+    {
+        sections.push_back(section);
     }
     /** At fractions of the span; with structural twist if there are as many angles. */
-    Stations(std::vector<double> fractions, const std::vector<Section> &sections,
-             std::vector<double> twists = {})
-        : fractions_(std::move(fractions)), sections_(sections.begin(), sections.end()),
-          twists_(std::move(twists))
+    Stations(std::vector<double> at, std::vector<Section> of, std::vector<double> twisted = {})
+        : Stations()
     {
-        if (fractions_.size() != sections_.size() ||
-            (!twists_.empty() && twists_.size() != sections_.size())) {
-            throw error(PDN_ERR_SIZE,
-                        "stations: expected as many fractions and twists as sections");
-        }
+        fractions = std::move(at);
+        sections = std::move(of);
+        twists = std::move(twisted);
     }
-    /** As the library takes it; valid while this object is. */
-    pdn_stations get() const
-    {
-        pdn_stations stations;
-        pdn_stations_init(&stations, sizeof stations);
-        stations.count = sections_.size();
-        stations.fractions = fractions_.empty() ? nullptr : fractions_.data();
-        stations.sections = sections_.data();
-        stations.twists = twists_.empty() ? nullptr : twists_.data();
-        return stations;
-    }
-
-  private:
-    std::vector<double> fractions_;
-    std::vector<pdn_section> sections_;
-    std::vector<double> twists_;
 };
 
-/** Reference line of a beam. */
-class Line
-{
-  public:
-    /** Writes position and a direction for axis 2 at a fraction of the curve. */
-    using Curve = std::function<void(double fraction, Vector3 &position, Vector3 &axis_2)>;
-
-    static Line straight(const Vector3 &start, const Vector3 &end, const Vector3 &axis_2)
-    {
-        Line line;
-        detail::check(pdn_line_set_straight(&line.line_, start.data(), end.data(), axis_2.data()));
-        return line;
-    }
-    static Line arc(const Vector3 &start, const Vector3 &point, const Vector3 &end,
-                    const Vector3 &axis_2)
-    {
-        Line line;
-        detail::check(
-            pdn_line_set_arc(&line.line_, start.data(), point.data(), end.data(), axis_2.data()));
-        return line;
-    }
-    static Line curve(Curve function)
-    {
-        Line line;
-        line.curve_ = std::make_shared<Curve>(std::move(function));
-        detail::check(pdn_line_set_curve(&line.line_, &evaluate, line.curve_.get()));
-        return line;
-    }
-    /** As the library takes it; valid while this object is. */
-    const pdn_line &get() const
-    {
-        return line_;
-    }
-
-  private:
-    Line()
-    {
-        pdn_line_init(&line_, sizeof line_);
-    }
-    static std::int32_t evaluate(double fraction, double *position, double *axis_2,
-                                 void *curve) noexcept
-    {
-        return detail::guarded([=] {
-            Vector3 point{}, direction{};
-            (*static_cast<Curve *>(curve))(fraction, point, direction);
-            for (std::size_t i = 0; i < 3; ++i) {
-                position[i] = point[i];
-                axis_2[i] = direction[i];
-            }
-        });
-    }
-
-    pdn_line line_;
-    std::shared_ptr<Curve> curve_;
-};
-
-/** A surface to mesh with shells: a point for each pair (u, v), each from 0 to 1. */
-class Surface
-{
-  public:
-    /** Gives the position at (u, v). */
-    using Function = std::function<Vector3(double u, double v)>;
-
-    static Surface parallelogram(const Vector3 &corner, const Vector3 &along_u,
-                                 const Vector3 &along_v)
-    {
-        Surface made;
-        detail::check(pdn_surface_set_parallelogram(&made.surface_, corner.data(), along_u.data(),
-                                                    along_v.data()));
-        return made;
-    }
-    static Surface annulus(const Vector3 &centre, const Vector3 &axis, const Vector3 &start,
-                           double inner, double outer, double angle)
-    {
-        Surface made;
-        detail::check(pdn_surface_set_annulus(&made.surface_, centre.data(), axis.data(),
-                                              start.data(), inner, outer, angle));
-        return made;
-    }
-    static Surface cylinder(const Vector3 &centre, const Vector3 &axis, const Vector3 &start,
-                            double radius, double length, double angle)
-    {
-        Surface made;
-        detail::check(pdn_surface_set_cylinder(&made.surface_, centre.data(), axis.data(),
-                                               start.data(), radius, length, angle));
-        return made;
-    }
-    static Surface function(Function function)
-    {
-        Surface made;
-        made.function_ = std::make_shared<Function>(std::move(function));
-        detail::check(
-            pdn_surface_set_function(&made.surface_, &evaluate, made.function_.get()));
-        return made;
-    }
-    /** As the library takes it; valid while this object is. */
-    const pdn_surface &get() const
-    {
-        return surface_;
-    }
-
-  private:
-    Surface()
-    {
-        pdn_surface_init(&surface_, sizeof surface_);
-    }
-    static std::int32_t evaluate(double u, double v, double *position, void *function) noexcept
-    {
-        return detail::guarded([=] {
-            const Vector3 point = (*static_cast<Function *>(function))(u, v);
-            for (std::size_t i = 0; i < 3; ++i) {
-                position[i] = point[i];
-            }
-        });
-    }
-
-    pdn_surface surface_;
-    std::shared_ptr<Function> function_;
-};
-
-/** A scalar function of time. A number, or a function of time, is a signal too. */
-class Signal
-{
-  public:
-    Signal(double value) : Signal()
-    {
-        detail::check(pdn_signal_set_constant(&signal_, value));
-    }
-    /** A function double(double time), kept as long as models and solutions need it. */
-    template <class F, class = std::enable_if_t<std::is_invocable_r_v<double, F &, double>>>
-    Signal(F function) : Signal()
-    {
-        auto kept = std::make_shared<std::function<double(double)>>(std::move(function));
-        detail::check(pdn_signal_set_function(&signal_, &evaluate, kept.get()));
-        kept_ = std::move(kept);
-    }
-    /** A function double(double phase) of 2 pi t / T, for any period T. */
-    template <class F> static Signal of_phase(F function)
-    {
-        auto kept = std::make_shared<std::function<double(double)>>(std::move(function));
-        Signal signal;
-        detail::check(
-            pdn_signal_set_function_of_phase(&signal.signal_, &evaluate, kept.get()));
-        signal.kept_ = std::move(kept);
-        return signal;
-    }
-    /** mean + rate t + sum of cosines[j-1] cos(j w t) + sines[j-1] sin(j w t), w = 2 pi / period.
-     */
-    static Signal harmonics(double mean, double rate, std::vector<double> cosines,
-                            std::vector<double> sines)
-    {
-        if (cosines.size() != sines.size()) {
-            throw error(PDN_ERR_SIZE, "signal: expected as many sines as cosines");
-        }
-        using Arrays = std::pair<std::vector<double>, std::vector<double>>;
-        auto kept = std::make_shared<const Arrays>(std::move(cosines), std::move(sines));
-        Signal signal;
-        detail::check(pdn_signal_set_harmonics(&signal.signal_, mean, rate, kept->first.data(),
-                                               kept->second.data(), kept->first.size()));
-        signal.kept_ = std::move(kept);
-        return signal;
-    }
-    /** rate t + the trigonometric interpolation of equally spaced samples of one period. */
-    static Signal samples(double rate, std::vector<double> samples)
-    {
-        auto kept = std::make_shared<const std::vector<double>>(std::move(samples));
-        Signal signal;
-        detail::check(pdn_signal_set_samples(&signal.signal_, rate, kept->data(), kept->size()));
-        signal.kept_ = std::move(kept);
-        return signal;
-    }
-    /** As the library takes it; valid while this object is. */
-    const pdn_signal &get() const
-    {
-        return signal_;
-    }
-    /** What the library points to. */
-    const std::shared_ptr<const void> &kept() const
-    {
-        return kept_;
-    }
-
-  private:
-    Signal()
-    {
-        pdn_signal_init(&signal_, sizeof signal_);
-    }
-    static std::int32_t evaluate(double time, double *value, void *function) noexcept
-    {
-        return detail::guarded(
-            [=] { *value = (*static_cast<std::function<double(double)> *>(function))(time); });
-    }
-
-    pdn_signal signal_;
-    std::shared_ptr<const void> kept_;
-};
-
-/** An effort on a joint coordinate, with its derivatives. */
-struct Effort {
-    double effort;
-    double by_coordinate;
-    double by_rate;
-};
-
-/** What a user's forces may depend on: time and the motions of their nodes, counted from 0. */
-class ForceState
-{
-  public:
-    explicit ForceState(const pdn_force_state &state) : state_(state)
-    {
-    }
-    double time() const
-    {
-        return state_.time;
-    }
-    std::size_t node_count() const
-    {
-        return state_.node_count;
-    }
-    Vector3 position(std::size_t node) const
-    {
-        return entry<3>(state_.positions, node);
-    }
-    Matrix3 rotation(std::size_t node) const
-    {
-        return entry<9>(state_.rotations, node);
-    }
-    /** Along the axes that the force was added with, as all that follows. */
-    Vector6 velocity(std::size_t node) const
-    {
-        return entry<6>(state_.velocities, node);
-    }
-
-  private:
-    template <std::size_t C>
-    std::array<double, C> entry(const double *array, std::size_t node) const
-    {
-        if (node >= state_.node_count) {
-            throw std::out_of_range("ForceState: no such node");
-        }
-        std::array<double, C> out;
-        for (std::size_t i = 0; i < C; ++i) {
-            out[i] = array[C * node + i];
-        }
-        return out;
-    }
-
-    const pdn_force_state &state_;
-};
-
-/** What a user's forces on shells may depend on: time and the motions of points, from 0 on. */
-class SurfaceState
-{
-  public:
-    explicit SurfaceState(const pdn_surface_state &state) : state_(state)
-    {
-    }
-    double time() const
-    {
-        return state_.time;
-    }
-    /** Id of the shell element. */
-    std::int32_t element() const
-    {
-        return state_.element;
-    }
-    std::size_t point_count() const
-    {
-        return state_.point_count;
-    }
-    /** xi and eta, from -1 to 1. */
-    std::array<double, 2> place(std::size_t point) const
-    {
-        return entry<2>(state_.places, point);
-    }
-    /** Reference area, or length of an edge, that a point stands for. */
-    double size(std::size_t point) const
-    {
-        return entry<1>(state_.sizes, point)[0];
-    }
-    Vector3 position(std::size_t point) const
-    {
-        return entry<3>(state_.positions, point);
-    }
-    /** Axes of the point; the third is the normal. */
-    Matrix3 rotation(std::size_t point) const
-    {
-        return entry<9>(state_.rotations, point);
-    }
-    /** Along the axes that the force was added with, as all that follows. */
-    Vector6 velocity(std::size_t point) const
-    {
-        return entry<6>(state_.velocities, point);
-    }
-
-  private:
-    template <std::size_t C>
-    std::array<double, C> entry(const double *array, std::size_t point) const
-    {
-        if (point >= state_.point_count) {
-            throw std::out_of_range("SurfaceState: no such point");
-        }
-        std::array<double, C> out;
-        for (std::size_t i = 0; i < C; ++i) {
-            out[i] = array[C * point + i];
-        }
-        return out;
-    }
-
-    const pdn_surface_state &state_;
-};
-
-/** Where a user's forces on shells go, per area or length; all are zero at first. */
-class SurfaceValues
-{
-  public:
-    SurfaceValues(std::size_t point_count, pdn_surface_values &values)
-        : points_(point_count), values_(values)
-    {
-    }
-    /** Component 0, ... 5 of the force at a point and the moment about it. */
-    double &force(std::size_t point, std::size_t component)
-    {
-        return values_.forces[6 * point + checked(point, component)];
-    }
-    /** Whether tangents are wanted; otherwise leave them. */
-    bool tangents_wanted() const
-    {
-        return values_.by_motion != nullptr;
-    }
-    /** Derivative of a component at a point by a displacement or turn of this point. */
-    double &by_motion(std::size_t point, std::size_t component, std::size_t of_component)
-    {
-        return tangent(values_.by_motion, point, component, of_component);
-    }
-    /** The same by a velocity or angular velocity. */
-    double &by_velocity(std::size_t point, std::size_t component, std::size_t of_component)
-    {
-        return tangent(values_.by_velocity, point, component, of_component);
-    }
-
-  private:
-    std::size_t checked(std::size_t point, std::size_t component) const
-    {
-        if (point >= points_ || component >= 6) {
-            throw std::out_of_range("SurfaceValues: no such component");
-        }
-        return component;
-    }
-    double &tangent(double *blocks, std::size_t point, std::size_t row, std::size_t column)
-    {
-        if (blocks == nullptr) {
-            throw std::logic_error("SurfaceValues: tangents are not wanted");
-        }
-        return blocks[36 * point + 6 * checked(point, column) + checked(point, row)];
-    }
-
-    std::size_t points_;
-    pdn_surface_values &values_;
-};
-
-/** Where a user's forces go; all are zero at first. */
-class ForceValues
-{
-  public:
-    ForceValues(std::size_t node_count, pdn_force_values &values)
-        : nodes_(node_count), values_(values)
-    {
-    }
-    /** Component 0, ... 5 of the force on a node and the moment about it. */
-    double &force(std::size_t node, std::size_t component)
-    {
-        return values_.forces[index(node, component)];
-    }
-    /** Whether tangents are wanted; otherwise leave them. */
-    bool tangents_wanted() const
-    {
-        return values_.by_motion != nullptr;
-    }
-    /** Derivative of a node's component by a displacement or turn of a node. */
-    double &by_motion(std::size_t node, std::size_t component, std::size_t of_node,
-                      std::size_t of_component)
-    {
-        return tangent(values_.by_motion, index(node, component), index(of_node, of_component));
-    }
-    /** The same by a velocity or angular velocity. */
-    double &by_velocity(std::size_t node, std::size_t component, std::size_t of_node,
-                        std::size_t of_component)
-    {
-        return tangent(values_.by_velocity, index(node, component), index(of_node, of_component));
-    }
-
-  private:
-    std::size_t index(std::size_t node, std::size_t component) const
-    {
-        if (node >= nodes_ || component >= 6) {
-            throw std::out_of_range("ForceValues: no such component");
-        }
-        return 6 * node + component;
-    }
-    double &tangent(double *matrix, std::size_t row, std::size_t column)
-    {
-        if (matrix == nullptr) {
-            throw std::logic_error("ForceValues: tangents are not wanted");
-        }
-        return matrix[6 * nodes_ * column + row];
-    }
-
-    std::size_t nodes_;
-    pdn_force_values &values_;
-};
-
-/** What a controller may depend on: time, the coordinates that it reads, and its states. */
-class ControllerState
-{
-  public:
-    explicit ControllerState(const pdn_controller_state &state) : state_(state)
-    {
-    }
-    double time() const
-    {
-        return state_.time;
-    }
-    double input(std::size_t number) const
-    {
-        return entry(state_.inputs, number, state_.input_count);
-    }
-    double input_rate(std::size_t number) const
-    {
-        return entry(state_.input_rates, number, state_.input_count);
-    }
-    double state(std::size_t number) const
-    {
-        return entry(state_.states, number, state_.state_count);
-    }
-
-  private:
-    friend class ControllerValues;
-    static double entry(const double *array, std::size_t number, std::size_t count)
-    {
-        if (number >= count) {
-            throw std::out_of_range("ControllerState: no such entry");
-        }
-        return array[number];
-    }
-
-    const pdn_controller_state &state_;
-};
-
-/** Where a controller writes; all is zero at first. Rows of the tangents are the efforts, then the
-    rates of the states. */
-class ControllerValues
-{
-  public:
-    ControllerValues(const ControllerState &state, pdn_controller_values &values)
-        : inputs_(state.state_.input_count), states_(state.state_.state_count), values_(values)
-    {
-    }
-    /** Effort on a coordinate that it acts on, towards growth. */
-    double &effort(std::size_t output)
-    {
-        return values_.efforts[below(output, values_.output_count)];
-    }
-    double &state_rate(std::size_t state)
-    {
-        return values_.state_rates[below(state, states_)];
-    }
-    /** Whether tangents are wanted; otherwise leave them. */
-    bool tangents_wanted() const
-    {
-        return values_.by_inputs != nullptr;
-    }
-    double &by_input(std::size_t row, std::size_t input)
-    {
-        return tangent(values_.by_inputs, row, below(input, inputs_));
-    }
-    double &by_input_rate(std::size_t row, std::size_t input)
-    {
-        return tangent(values_.by_input_rates, row, below(input, inputs_));
-    }
-    double &by_state(std::size_t row, std::size_t state)
-    {
-        return tangent(values_.by_states, row, below(state, states_));
-    }
-
-  private:
-    static std::size_t below(std::size_t number, std::size_t count)
-    {
-        if (number >= count) {
-            throw std::out_of_range("ControllerValues: no such entry");
-        }
-        return number;
-    }
-    double &tangent(double *matrix, std::size_t row, std::size_t column)
-    {
-        if (matrix == nullptr) {
-            throw std::logic_error("ControllerValues: tangents are not wanted");
-        }
-        const std::size_t rows = values_.output_count + states_;
-        return matrix[rows * column + below(row, rows)];
-    }
-
-    std::size_t inputs_, states_;
-    pdn_controller_values &values_;
-};
-
-/** Total mass, and its centre. */
-struct Mass {
-    double mass;
-    Vector3 centre;
-};
-
-/** A frame that turns steadily: an axis of length 1, an angle in a unit of time, a point. */
-struct TurningFrame {
-    Vector3 axis;
-    double rate;
-    Vector3 point;
-};
-
-/** A rotor whose blades are alike: an axis of length 1, a point of it, numbers of nodes. */
-struct RotorSymmetry {
-    Vector3 axis;
-    Vector3 point;
-    std::int32_t blades;
-    std::int32_t nodes_of_blade;
-    std::int32_t hub_nodes;
-};
-
-/** A mechanism, described in its reference configuration. Functions that add return ids. */
-class Model
-{
-  public:
-    using Id = std::int32_t;
-
-    Model()
-    {
-        detail::check(pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR));
-        handle_ = detail::make<pdn_model>(pdn_model_new);
-    }
-    /** Takes over a handle of periodyn.h; keeps the functions of signals that it may call. */
-    explicit Model(pdn_model *handle, detail::Kept kept = {})
-        : kept_(std::move(kept)), handle_(handle)
-    {
-    }
-    /** The handle, for functions of periodyn.h; NULL if moved from. */
-    pdn_model *get() const noexcept
-    {
-        return handle_.get();
-    }
-    /** The functions of signals that the model may call. */
-    const detail::Kept &kept() const noexcept
-    {
-        return kept_;
-    }
-
-    /** A copy, which may be changed and solved apart from it. */
-    Model copy() const
-    {
-        auto handle =
-            detail::make<pdn_model>([&](pdn_model **out) { return pdn_model_copy(get(), out); });
-        return Model(handle.release(), kept_);
-    }
-    /** Saves the model, without the functions it may call. */
-    void save(const std::string &path) const
-    {
-        detail::check(pdn_model_save(get(), path.c_str()));
-    }
-    static Model load(const std::string &path)
-    {
-        auto handle = detail::make<pdn_model>(
-            [&](pdn_model **out) { return pdn_model_load(path.c_str(), out); });
-        return Model(handle.release());
-    }
-
-    /** @name What there is */
-    ///@{
-    Id node_count() const
-    {
-        return id([&](Id *out) { return pdn_model_node_count(get(), out); });
-    }
-    Id joint_count() const
-    {
-        return id([&](Id *out) { return pdn_model_joint_count(get(), out); });
-    }
-    Id element_count() const
-    {
-        return id([&](Id *out) { return pdn_model_element_count(get(), out); });
-    }
-    Id relation_count() const
-    {
-        return id([&](Id *out) { return pdn_model_relation_count(get(), out); });
-    }
-    Id force_count() const
-    {
-        return id([&](Id *out) { return pdn_model_force_count(get(), out); });
-    }
-    Mass mass() const
-    {
-        Mass out{};
-        detail::check(pdn_model_mass(get(), &out.mass, out.centre.data()));
-        return out;
-    }
-    pdn_frame node_frame(Id node) const
-    {
-        return detail::number<pdn_frame>(
-            [&](pdn_frame *out) { return pdn_model_node_frame(get(), node, out); });
-    }
-    pdn_summary summary() const
-    {
-        pdn_summary out;
-        pdn_summary_init(&out, sizeof out);
-        detail::check(pdn_model_summary(get(), &out));
-        return out;
-    }
-    /** The summary in readable lines, with warnings. */
-    std::string describe() const
-    {
-        summary(); // throws if there is nothing to describe
-        return detail::text([&](char *buffer, std::size_t capacity) {
-            return pdn_model_describe(get(), buffer, capacity);
-        });
-    }
-    /** Takes a label away if it is empty. */
-    void set_label(ObjectKind kind, Id of, const std::string &label)
-    {
-        detail::check(pdn_model_set_label(get(), detail::c(kind), of, label.c_str()));
-    }
-    /** Empty if there is none. */
-    std::string label(ObjectKind kind, Id of) const
-    {
-        return detail::text([&](char *buffer, std::size_t capacity) {
-            return pdn_model_label(get(), detail::c(kind), of, buffer, capacity);
-        });
-    }
-    Id find_label(ObjectKind kind, const std::string &label) const
-    {
-        return id([&](Id *out) {
-            return pdn_model_find_label(get(), detail::c(kind), label.c_str(), out);
-        });
-    }
-    ///@}
-
-    /** @name What it holds */
-    ///@{
-    pdn_joint_info joint(Id joint) const
-    {
-        pdn_joint_info out;
-        pdn_joint_info_init(&out, sizeof out);
-        detail::check(pdn_model_joint(get(), joint, &out));
-        return out;
-    }
-    pdn_force_info force(Id force) const
-    {
-        pdn_force_info out;
-        pdn_force_info_init(&out, sizeof out);
-        detail::check(pdn_model_force(get(), force, &out));
-        return out;
-    }
-    double force_number(Id force, ForceNumber number, std::int32_t index) const
-    {
-        double out = 0;
-        detail::check(pdn_model_force_number(get(), force, detail::c(number), index, &out));
-        return out;
-    }
-    Id force_node(Id force, std::int32_t index) const
-    {
-        return id([&](Id *out) { return pdn_model_force_node(get(), force, index, out); });
-    }
-    std::vector<Id> beam_element_nodes(Id element) const
-    {
-        std::vector<Id> nodes(static_cast<std::size_t>(
-            id([&](Id *out) { return pdn_model_beam_element_node_count(get(), element, out); })));
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-            detail::check(pdn_model_beam_element_node(get(), element, static_cast<Id>(i), &nodes[i]));
-        }
-        return nodes;
-    }
-    /** Section and twist at a place from -1 to 1. */
-    std::pair<pdn_section, double> beam_section(Id element, double station) const
-    {
-        std::pair<pdn_section, double> out;
-        pdn_section_init(&out.first, sizeof out.first);
-        detail::check(pdn_model_beam_section(get(), element, station, &out.first, &out.second));
-        return out;
-    }
-    Id inertia_count() const
-    {
-        return id([&](Id *out) { return pdn_model_inertia_count(get(), out); });
-    }
-    /** Node and matrix of a body, mass or inertia. */
-    std::pair<Id, Matrix6> inertia(Id inertia) const
-    {
-        std::pair<Id, Matrix6> out;
-        detail::check(pdn_model_inertia(get(), inertia, &out.first, out.second.data()));
-        return out;
-    }
-    /** The inertia of a node: of a rigid body its own. */
-    Id inertia_of(Id node) const
-    {
-        return id([&](Id *out) { return pdn_model_inertia_of(get(), node, out); });
-    }
-    std::pair<Id, Coordinate> prescribed(Id prescribed) const
-    {
-        Id joint = 0;
-        std::int32_t coordinate = 0;
-        detail::check(pdn_model_prescribed(get(), prescribed, &joint, &coordinate));
-        return {joint, static_cast<Coordinate>(coordinate)};
-    }
-    Id load_count() const
-    {
-        return id([&](Id *out) { return pdn_model_load_count(get(), out); });
-    }
-    std::pair<Id, Frame> load_at(Id load) const
-    {
-        Id node = 0;
-        std::int32_t frame = 0;
-        detail::check(pdn_model_load_at(get(), load, &node, &frame));
-        return {node, static_cast<Frame>(frame)};
-    }
-    Id beam_load_count() const
-    {
-        return id([&](Id *out) { return pdn_model_beam_load_count(get(), out); });
-    }
-    BeamLoad beam_load(Id load) const
-    {
-        BeamLoad out;
-        std::int32_t frame = 0, places = 0;
-        detail::check(pdn_model_beam_load(get(), load, &out.first_element, &out.elements, &frame,
-                                          out.axis_2.data(), &places));
-        out.frame = static_cast<Frame>(frame);
-        out.fractions.resize(static_cast<std::size_t>(places));
-        out.factors.resize(out.fractions.size());
-        for (std::int32_t i = 0; i < places; ++i) {
-            const auto k = static_cast<std::size_t>(i);
-            detail::check(
-                pdn_model_beam_load_factor(get(), load, i, &out.fractions[k], &out.factors[k]));
-        }
-        return out;
-    }
-    Id shell_load_count() const
-    {
-        return id([&](Id *out) { return pdn_model_shell_load_count(get(), out); });
-    }
-    ShellLoad shell_load(Id load) const
-    {
-        ShellLoad out;
-        std::int32_t place = 0, frame = 0;
-        detail::check(pdn_model_shell_load(get(), load, &out.first_element, &out.elements, &place,
-                                           &frame));
-        out.place = static_cast<ShellPlace>(place);
-        out.frame = static_cast<Frame>(frame);
-        return out;
-    }
-    Id parameter_count() const
-    {
-        return id([&](Id *out) { return pdn_model_parameter_count(get(), out); });
-    }
-    /** Value and scale of a parameter. */
-    std::pair<double, double> parameter(Id parameter) const
-    {
-        std::pair<double, double> out;
-        detail::check(pdn_model_parameter(get(), parameter, &out.first, &out.second));
-        return out;
-    }
-    std::string parameter_name(Id parameter) const
-    {
-        return detail::text([&](char *buffer, std::size_t size) {
-            return pdn_model_parameter_name(get(), parameter, buffer, size);
-        });
-    }
-    Id find_parameter(const std::string &name) const
-    {
-        return id([&](Id *out) { return pdn_model_find_parameter(get(), name.c_str(), out); });
-    }
-    std::vector<RelationTerm> relation_terms(Id relation) const
-    {
-        std::vector<RelationTerm> terms(static_cast<std::size_t>(
-            id([&](Id *out) { return pdn_model_relation_term_count(get(), relation, out); })));
-        for (std::size_t i = 0; i < terms.size(); ++i) {
-            std::int32_t coordinate = 0;
-            detail::check(pdn_model_relation_term(get(), relation, static_cast<Id>(i),
-                                                  &terms[i].joint, &coordinate,
-                                                  &terms[i].coefficient));
-            terms[i].coordinate = static_cast<Coordinate>(coordinate);
-        }
-        return terms;
-    }
-    std::vector<double> sample_signal(SignalOf place, Id id, std::int32_t component, double period,
-                                      Reals times) const
-    {
-        std::vector<double> values(times.size());
-        detail::check(pdn_model_sample_signal(get(), detail::c(place), id, component, period,
-                                              times.data(), times.size(), values.data()));
-        return values;
-    }
-    ///@}
-
-    /** @name Nodes and bodies */
-    ///@{
-    Id add_node(const Vector3 &position)
-    {
-        return id(
-            [&](Id *out) { return pdn_model_add_node(get(), position.data(), nullptr, out); });
-    }
-    Id add_node(const Vector3 &position, const Matrix3 &rotation)
-    {
-        return id([&](Id *out) {
-            return pdn_model_add_node(get(), position.data(), rotation.data(), out);
-        });
-    }
-    Id add_rigid_body(double mass, const Vector3 &centre, const Matrix3 &inertia)
-    {
-        return id([&](Id *out) {
-            return pdn_model_add_rigid_body(get(), mass, centre.data(), inertia.data(), out);
-        });
-    }
-    /** A point mass; returns the id of its inertia. */
-    Id add_mass(Id node, double mass, const Vector3 &centre)
-    {
-        return id([&](Id *out) {
-            return pdn_model_add_mass(get(), node, mass, centre.data(), nullptr, out);
-        });
-    }
-    Id add_mass(Id node, double mass, const Vector3 &centre, const Matrix3 &inertia)
-    {
-        return id([&](Id *out) {
-            return pdn_model_add_mass(get(), node, mass, centre.data(), inertia.data(), out);
-        });
-    }
-    /** About and along the node's own axes. */
-    Id add_inertia(Id node, const Matrix6 &matrix)
-    {
-        return id([&](Id *out) {
-            return pdn_model_add_inertia(get(), node, nullptr, matrix.data(), out);
-        });
-    }
-    Id add_inertia(Id node, const pdn_frame &frame, const Matrix6 &matrix)
-    {
-        return id([&](Id *out) {
-            return pdn_model_add_inertia(get(), node, &frame, matrix.data(), out);
-        });
-    }
-    ///@}
-
-    /** @name Joints */
-    ///@{
-    Id add_rigid_joint(Id first, Id second, const Vector3 &point)
-    {
-        return id([&](Id *out) {
-            return pdn_model_add_rigid_joint(get(), first, second, point.data(), out);
-        });
-    }
-    Id add_revolute(Id first, Id second, const Vector3 &point, const Vector3 &axis)
-    {
-        return id([&](Id *out) {
-            return pdn_model_add_revolute(get(), first, second, point.data(), axis.data(), out);
-        });
-    }
-    Id add_prismatic(Id first, Id second, const Vector3 &point, const Vector3 &axis)
-    {
-        return id([&](Id *out) {
-            return pdn_model_add_prismatic(get(), first, second, point.data(), axis.data(), out);
-        });
-    }
-    Id add_cylindrical(Id first, Id second, const Vector3 &point, const Vector3 &axis)
-    {
-        return id([&](Id *out) {
-            return pdn_model_add_cylindrical(get(), first, second, point.data(), axis.data(), out);
-        });
-    }
-    Id add_screw(Id first, Id second, const Vector3 &point, const Vector3 &axis, double pitch)
-    {
-        return id([&](Id *out) {
-            return pdn_model_add_screw(get(), first, second, point.data(), axis.data(), pitch, out);
-        });
-    }
-    Id add_planar(Id first, Id second, const Vector3 &point, const Vector3 &normal)
-    {
-        return id([&](Id *out) {
-            return pdn_model_add_planar(get(), first, second, point.data(), normal.data(), out);
-        });
-    }
-    Id add_spherical(Id first, Id second, const Vector3 &point)
-    {
-        return id([&](Id *out) {
-            return pdn_model_add_spherical(get(), first, second, point.data(), out);
-        });
-    }
-    Id add_universal(Id first, Id second, const Vector3 &point, const Vector3 &first_arm,
-                     const Vector3 &second_arm)
-    {
-        return id([&](Id *out) {
-            return pdn_model_add_universal(get(), first, second, point.data(), first_arm.data(),
-                                           second_arm.data(), out);
-        });
-    }
-    Id add_free_joint(Id first, Id second, const Vector3 &point)
-    {
-        return id([&](Id *out) {
-            return pdn_model_add_free_joint(get(), first, second, point.data(), out);
-        });
-    }
-    Id add_strut(Id first, Id second, const Vector3 &first_point, const Vector3 &second_point)
-    {
-        return id([&](Id *out) {
-            return pdn_model_add_strut(get(), first, second, first_point.data(),
-                                       second_point.data(), out);
-        });
-    }
-    Id add_joint(JointKind kind, Id first, Id second, const pdn_frame &first_frame,
-                 const pdn_frame &second_frame)
-    {
-        return id([&](Id *out) {
-            return pdn_model_add_joint(get(), detail::c(kind), first, second, &first_frame,
-                                       &second_frame, out);
-        });
-    }
-    Id add_screw_between(Id first, Id second, const pdn_frame &first_frame,
-                         const pdn_frame &second_frame, double pitch)
-    {
-        return id([&](Id *out) {
-            return pdn_model_add_screw_between(get(), first, second, &first_frame, &second_frame,
-                                               pitch, out);
-        });
-    }
-    Id prescribe(Id joint, Coordinate coordinate, const Signal &signal)
-    {
-        return take({&signal}, [&](Id *out) {
-            return pdn_model_prescribe(get(), joint, detail::c(coordinate), &signal.get(), out);
-        });
-    }
-    /** The sum of coefficients times coordinates stays what it is in the reference configuration. */
-    Id add_relation(Ids joints, const std::vector<Coordinate> &coordinates, Reals coefficients)
-    {
-        return id([&](Id *out) {
-            return relation(joints, coordinates, coefficients, nullptr, out);
-        });
-    }
-    /** The sum of coefficients times coordinates is a signal. */
-    Id add_relation(Ids joints, const std::vector<Coordinate> &coordinates, Reals coefficients,
-                    const Signal &signal)
-    {
-        return take({&signal}, [&](Id *out) {
-            return relation(joints, coordinates, coefficients, &signal.get(), out);
-        });
-    }
-    ///@}
-
-    /** @name Beams */
-    ///@{
-    Id add_beam_element(Ids nodes, const Section &section)
-    {
-        return id([&](Id *out) {
-            return pdn_model_add_beam_element(get(), nodes.data(), nodes.size(), &section, out);
-        });
-    }
-    pdn_beam add_straight_beam(const Vector3 &start, const Vector3 &end, const Vector3 &axis_2,
-                               const Section &section, std::size_t elements, std::size_t degree)
-    {
-        return detail::number<pdn_beam>([&](pdn_beam *out) {
-            return pdn_model_add_straight_beam(get(), start.data(), end.data(), axis_2.data(),
-                                               &section, elements, degree, out);
-        });
-    }
-    pdn_beam add_beam(const Line &line, const Stations &stations, std::size_t elements,
-                      std::size_t degree)
-    {
-        const pdn_stations along = stations.get();
-        return detail::number<pdn_beam>([&](pdn_beam *out) {
-            return pdn_model_add_beam(get(), &line.get(), &along, elements, degree, out);
-        });
-    }
-    /** Elements from each of the boundaries to the next, fractions of the span. */
-    pdn_beam add_beam_between(const Line &line, const Stations &stations, Reals boundaries,
-                              std::size_t degree)
-    {
-        const pdn_stations along = stations.get();
-        const std::size_t elements = boundaries.size() == 0 ? 0 : boundaries.size() - 1;
-        return detail::number<pdn_beam>([&](pdn_beam *out) {
-            return pdn_model_add_beam_between(get(), &line.get(), &along, boundaries.data(),
-                                              elements, degree, out);
-        });
-    }
-    ///@}
-
-    /** @name Shells */
-    ///@{
-    /** Over nodes that are there: node i n_eta + j is at (xi_i, eta_j). */
-    Id add_shell_element(Ids nodes, std::size_t n_xi, const ShellSection &section,
-                         const ShellPlacement &placement = {})
-    {
-        return id([&](Id *out) {
-            return pdn_model_add_shell_element(get(), nodes.data(), nodes.size(), n_xi, &section,
-                                               &placement, out);
-        });
-    }
-    /** Over a surface: `elements` and `degrees` along u and v. */
-    pdn_shell add_shell(const Surface &surface, const Counts &elements, const Counts &degrees,
-                        const ShellSection &section, const ShellPlacement &placement = {},
-                        bool join = true)
-    {
-        return detail::number<pdn_shell>([&](pdn_shell *out) {
-            return pdn_model_add_shell(get(), &surface.get(), elements[0], elements[1], degrees[0],
-                                       degrees[1], join ? 1 : 0, &section, &placement, out);
-        });
-    }
-    /** Over given positions of its nodes, those along v first. */
-    pdn_shell add_shell_grid(const std::vector<Vector3> &points, const Counts &elements,
-                             const Counts &degrees, const ShellSection &section,
-                             const ShellPlacement &placement = {}, bool join = true)
-    {
-        return detail::number<pdn_shell>([&](pdn_shell *out) {
-            return pdn_model_add_shell_grid(get(), detail::flat(points), points.size(),
-                                            elements[0], elements[1], degrees[0], degrees[1],
-                                            join ? 1 : 0, &section, &placement, out);
-        });
-    }
-    /** An element for each cell of 4 or 9 points, corners first; gives the first of them. */
-    Id add_shell_quadrilaterals(const std::vector<Vector3> &points, Ids cells,
-                                std::size_t points_of_cell, std::size_t degree,
-                                const ShellSection &section, const ShellPlacement &placement = {})
-    {
-        return id([&](Id *out) {
-            return pdn_model_add_shell_quadrilaterals(get(), detail::flat(points), points.size(),
-                                                      cells.data(), cells.size(), points_of_cell,
-                                                      degree, &section, &placement, out);
-        });
-    }
-    /** Node of a shell over a surface or a grid, numbered from 0 along u and v. */
-    Id shell_node(const pdn_shell &shell, Id u, Id v) const
-    {
-        return id(
-            [&](Id *out) { return pdn_model_shell_patch_node(get(), &shell, u, v, out); });
-    }
-    /** Node of a shell element, numbered from 0 along xi and eta. */
-    Id shell_node(Id element, Id xi, Id eta) const
-    {
-        return id([&](Id *out) { return pdn_model_shell_node(get(), element, xi, eta, out); });
-    }
-    Id shell_element_count() const
-    {
-        return id([&](Id *out) { return pdn_model_shell_element_count(get(), out); });
-    }
-    /** Fixes nodes to a body, one of them or any other, by a rigid joint each; gives these. */
-    std::vector<Id> add_rigid_joints(Id body, Ids nodes)
-    {
-        return rigid_joints([&](Id *first, Id *joints) {
-            return pdn_model_add_rigid_joints(get(), body, nodes.data(), nodes.size(), first,
-                                              joints);
-        });
-    }
-    /** Fixes an edge of a shell over a surface or a grid to a body; gives the rigid joints. */
-    std::vector<Id> add_rigid_edge(Id body, const pdn_shell &shell, ShellPlace edge)
-    {
-        return rigid_joints([&](Id *first, Id *joints) {
-            return pdn_model_add_rigid_edge(get(), body, &shell, detail::c(edge), first, joints);
-        });
-    }
-    /** Initial stress: forces and moments where nothing is strained, as of the section. */
-    void set_shell_prestress(Id first_element, Id elements,
-                             const std::array<double, 12> &resultants)
-    {
-        detail::check(
-            pdn_model_set_shell_prestress(get(), first_element, elements, resultants.data()));
-    }
-    /** A component for each unit of area of the surfaces, or of length of edges. */
-    Id add_shell_load(Id first_element, Id elements, ShellPlace place, Frame frame,
-                      Component component, const Signal &signal)
-    {
-        return take({&signal}, [&](Id *out) {
-            return pdn_model_add_shell_load(get(), first_element, elements, detail::c(place),
-                                            detail::c(frame), detail::c(component), &signal.get(),
-                                            out);
-        });
-    }
-    ///@}
-
-    /** @name Loads */
-    ///@{
-    Id add_load(Id node, Frame frame, Component component, const Signal &signal)
-    {
-        return take({&signal}, [&](Id *out) {
-            return pdn_model_add_load(get(), node, detail::c(frame), detail::c(component),
-                                      &signal.get(), out);
-        });
-    }
-    /** The factors of the signal are linear between fractions of the length; 1 if none are given.
-     */
-    Id add_distributed_load(Id first_element, Id elements, Frame frame, Component component,
-                            const Signal &signal, Reals fractions = {}, Reals factors = {})
-    {
-        if (fractions.size() != factors.size()) {
-            throw error(PDN_ERR_SIZE, "factors: expected as many as fractions");
-        }
-        return take({&signal}, [&](Id *out) {
-            return pdn_model_add_distributed_load(
-                get(), first_element, elements, detail::c(frame), detail::c(component),
-                &signal.get(), fractions.data(), factors.data(), fractions.size(), out);
-        });
-    }
-    /** All components at all places: six signals for each fraction of the length, linear in between. Frame::untwisted
-     * has axis 1 along the reference line, and axis 2 as near to axis_2 as it can be. Returns the id of the load at
-     * the first place; the others follow. */
-    Id add_load_at_places(Id first_element, Id elements, Frame frame, Reals fractions,
-                          const std::vector<std::array<Signal, 6>> &signals,
-                          const Vector3 &axis_2 = {})
-    {
-        if (fractions.size() != signals.size()) {
-            throw error(PDN_ERR_SIZE, "signals: expected as many as fractions");
-        }
-        std::vector<const Signal *> all;
-        std::vector<pdn_signal> given;
-        for (const auto &place : signals) {
-            for (const Signal &signal : place) {
-                all.push_back(&signal);
-                given.push_back(signal.get());
-            }
-        }
-        return take(all, [&](Id *out) {
-            return pdn_model_add_load_at_places(get(), first_element, elements, detail::c(frame),
-                                                axis_2.data(), fractions.data(), given.data(),
-                                                fractions.size(), out);
-        });
-    }
-    /** Adds a parameter, which moves nothing yet. */
-    Id add_parameter(const std::string &name, double value, double scale)
-    {
-        return id([&](Id *out) {
-            return pdn_model_add_parameter(get(), name.c_str(), value, scale, out);
-        });
-    }
-    /** Lets a parameter move a number of the force, inertia or element `id`. */
-    void move_number(Id parameter, Number number, Id id, std::int32_t power, double factor)
-    {
-        detail::check(
-            pdn_model_move_number(get(), parameter, detail::c(number), id, power, factor));
-    }
-    /** Lets a parameter move a part of the signal of what has this `id`. */
-    void move_signal(Id parameter, SignalOf place, Id id, std::int32_t component, SignalPart part,
-                     double factor)
-    {
-        detail::check(pdn_model_move_signal(get(), parameter, detail::c(place), id, component,
-                                            detail::c(part), factor));
-    }
-    void set_parameter(Id parameter, double value)
-    {
-        detail::check(pdn_model_set_parameter(get(), parameter, value));
-    }
-    void set_mass_damping(double factor)
-    {
-        detail::check(pdn_model_set_mass_damping(get(), factor));
-    }
-    /** Declares the function of a force one of the phase, which it is then told. */
-    void declare_of_phase(Id force)
-    {
-        detail::check(pdn_model_declare_of_phase(get(), force));
-    }
-    /** Describes everything in a frame that turns steadily about an axis through `point`. */
-    void set_turning_frame(const Vector3 &axis, double rate, const Vector3 &point = {0, 0, 0})
-    {
-        detail::check(pdn_model_set_turning_frame(get(), axis.data(), rate, point.data()));
-    }
-    /** The frame that everything is described in, if it turns; else an Error. */
-    TurningFrame turning_frame() const
-    {
-        TurningFrame frame{};
-        detail::check(pdn_model_turning_frame(get(), frame.axis.data(), &frame.rate,
-                                              frame.point.data()));
-        return frame;
-    }
-    /** Says that `blades` blades are alike, with their nodes blade after blade; a `hub` turns with
-     * them about an axis through `point`. */
-    void set_rotor_symmetry(const Vector3 &axis, std::int32_t blades, Ids nodes, Ids hub,
-                            const Vector3 &point = {0, 0, 0})
-    {
-        detail::check(pdn_model_set_rotor_symmetry(get(), axis.data(), blades, nodes.data(),
-                                                   nodes.size(), hub.data(), hub.size(),
-                                                   point.data()));
-    }
-    /** The rotor whose blades were said to be alike; else an Error. */
-    RotorSymmetry rotor_symmetry() const
-    {
-        RotorSymmetry rotor{};
-        detail::check(pdn_model_rotor_symmetry(get(), rotor.axis.data(), rotor.point.data(),
-                                               &rotor.blades, &rotor.nodes_of_blade,
-                                               &rotor.hub_nodes));
-        return rotor;
-    }
-    /** A node of a blade, or of the hub, which is blade -1, of that rotor. */
-    Id rotor_node(Id blade, Id index) const
-    {
-        Id node{};
-        detail::check(pdn_model_rotor_node(get(), blade, index, &node));
-        return node;
-    }
-    void set_gravity(const Vector3 &acceleration)
-    {
-        detail::check(pdn_model_set_gravity(get(), acceleration.data()));
-    }
-    /** Gravity that varies in time. */
-    void set_gravity(const Signal &acceleration_1, const Signal &acceleration_2,
-                     const Signal &acceleration_3)
-    {
-        take({&acceleration_1, &acceleration_2, &acceleration_3}, [&](Id *) {
-            return pdn_model_set_gravity_signals(get(), &acceleration_1.get(),
-                                                 &acceleration_2.get(), &acceleration_3.get());
-        });
-    }
-    ///@}
-
-    /** @name Forces on joint coordinates and nodes */
-    ///@{
-    Id add_spring_damper(Id joint, Coordinate coordinate, double stiffness, double damping = 0,
-                         double rest = 0)
-    {
-        return id([&](Id *out) {
-            return pdn_model_add_spring_damper(get(), joint, detail::c(coordinate), stiffness,
-                                               damping, rest, out);
-        });
-    }
-    Id add_nonlinear_spring_damper(Id joint, Coordinate coordinate, Reals stiffness, Reals damping,
-                                   double rest = 0)
-    {
-        return id([&](Id *out) {
-            return pdn_model_add_nonlinear_spring_damper(get(), joint, detail::c(coordinate),
-                                                         stiffness.data(), stiffness.size(),
-                                                         damping.data(), damping.size(), rest, out);
-        });
-    }
-    Id add_actuator(Id joint, Coordinate coordinate, const Signal &signal)
-    {
-        return take({&signal}, [&](Id *out) {
-            return pdn_model_add_actuator(get(), joint, detail::c(coordinate), &signal.get(), out);
-        });
-    }
-    Id add_viscoelastic(Id joint, Coordinate coordinate, double stiffness, double rest,
-                        Reals branch_stiffness, Reals relaxation_times)
-    {
-        if (branch_stiffness.size() != relaxation_times.size()) {
-            throw error(PDN_ERR_SIZE, "relaxation_times: expected as many as branch_stiffness");
-        }
-        return id([&](Id *out) {
-            return pdn_model_add_viscoelastic(get(), joint, detail::c(coordinate), stiffness, rest,
-                                              branch_stiffness.data(), relaxation_times.data(),
-                                              branch_stiffness.size(), out);
-        });
-    }
-    /** In the second node's own frame. */
-    Id add_viscous_damper(Id first, Id second, const Matrix6 &matrix)
-    {
-        return id([&](Id *out) {
-            return pdn_model_add_viscous_damper(get(), first, second, nullptr, matrix.data(), out);
-        });
-    }
-    Id add_viscous_damper(Id first, Id second, const pdn_frame &frame, const Matrix6 &matrix)
-    {
-        return id([&](Id *out) {
-            return pdn_model_add_viscous_damper(get(), first, second, &frame, matrix.data(), out);
-        });
-    }
-    /** Column by column: `stiffness[i + 6 * j]` is effort i for a unit of displacement or angle j. */
-    Id add_bushing(Id first, Id second, const pdn_frame &first_frame, const pdn_frame &second_frame,
-                   const Matrix6 &stiffness, const Matrix6 &damping,
-                   BushingAngles angles = BushingAngles::rotation_vector)
-    {
-        return id([&](Id *out) {
-            return pdn_model_add_bushing(get(), first, second, &first_frame, &second_frame,
-                                         stiffness.data(), damping.data(), detail::c(angles), out);
-        });
-    }
-    /** A law double(time, coordinate, rate), or Effort(time, coordinate, rate) with derivatives. */
-    template <class Law> Id add_coordinate_law(Id joint, Coordinate coordinate, Law law)
-    {
-        using Result = std::invoke_result_t<Law &, double, double, double>;
-        constexpr bool given = std::is_convertible_v<Result, Effort>;
-        const auto tangents = given ? Tangents::given : Tangents::differenced;
-        Id force = 0;
-        detail::hand_over(std::move(law), [&](void *owned, pdn_destroy_fn destroy) {
-            return pdn_model_add_coordinate_law(get(), joint, detail::c(coordinate),
-                                                detail::c(tangents), &evaluate_law<Law>, owned,
-                                                destroy, &force);
-        });
-        return force;
-    }
-    /** Forces void(const ForceState &, ForceValues &). */
-    template <class Forces>
-    Id add_user_force(Ids nodes, Frame frame, Tangents tangents, Forces forces)
-    {
-        Id force = 0;
-        detail::hand_over(std::move(forces), [&](void *owned, pdn_destroy_fn destroy) {
-            return pdn_model_add_user_force(get(), nodes.data(), nodes.size(), detail::c(frame),
-                                            detail::c(tangents), &evaluate_forces<Forces>, owned,
-                                            destroy, &force);
-        });
-        return force;
-    }
-    /** Efforts by a law void(const ControllerState &, ControllerValues &) of coordinates, their
-        rates, and states: of as many as `initial` has, or `sizes`. */
-    template <class Law>
-    Id add_controller(Ids input_joints, const std::vector<Coordinate> &input_coordinates,
-                      Ids output_joints, const std::vector<Coordinate> &output_coordinates,
-                      Reals initial, Reals sizes, Tangents tangents, Law law)
-    {
-        const std::vector<std::int32_t> read = codes(input_coordinates, input_joints);
-        const std::vector<std::int32_t> acted = codes(output_coordinates, output_joints);
-        if (initial.size() != sizes.size() && initial.size() != 0 && sizes.size() != 0) {
-            throw error(PDN_ERR_SIZE, "sizes: expected as many as initial");
-        }
-        const std::size_t states = initial.size() == 0 ? sizes.size() : initial.size();
-        Id force = 0;
-        detail::hand_over(std::move(law), [&](void *owned, pdn_destroy_fn destroy) {
-            return pdn_model_add_controller(
-                get(), input_joints.data(), read.data(), read.size(), output_joints.data(),
-                acted.data(), acted.size(), initial.size() == 0 ? nullptr : initial.data(),
-                sizes.size() == 0 ? nullptr : sizes.data(), states, detail::c(tangents),
-                &evaluate_controller<Law>, owned, destroy, &force);
-        });
-        return force;
-    }
-    /** Gives a controller its function, or another: that of a file is not there. */
-    template <class Law> void bind_controller(Id force, Tangents tangents, Law law)
-    {
-        detail::hand_over(std::move(law), [&](void *owned, pdn_destroy_fn destroy) {
-            return pdn_model_bind_controller(get(), force, detail::c(tangents),
-                                             &evaluate_controller<Law>, owned, destroy);
-        });
-    }
-    /** Numbers of the coordinates that a controller reads, acts on, and of its states. */
-    std::array<Id, 3> controller_counts(Id force) const
-    {
-        std::array<Id, 3> out{};
-        detail::check(pdn_model_controller_counts(get(), force, &out[0], &out[1], &out[2]));
-        return out;
-    }
-    /** Joint and coordinate that a controller reads or, counted on, acts on. */
-    std::pair<Id, Coordinate> controller_coordinate(Id force, Id index) const
-    {
-        Id joint = 0, coordinate = 0;
-        detail::check(
-            pdn_model_controller_coordinate(get(), force, index, &joint, &coordinate));
-        return {joint, static_cast<Coordinate>(coordinate)};
-    }
-    /** Where a state begins in a march, and its size. */
-    std::pair<double, double> controller_state(Id force, Id index) const
-    {
-        double initial = 0.0, size = 0.0;
-        detail::check(pdn_model_controller_state(get(), force, index, &initial, &size));
-        return {initial, size};
-    }
-    /** Forces void(const SurfaceState &, SurfaceValues &) on shell elements; gives the first. */
-    template <class Forces>
-    Id add_surface_force(Id first_element, Id elements, ShellPlace place, Frame frame,
-                         Tangents tangents, Forces forces)
-    {
-        Id first = 0;
-        detail::hand_over(std::move(forces), [&](void *owned, pdn_destroy_fn destroy) {
-            return pdn_model_add_surface_force(get(), first_element, elements, detail::c(place),
-                                               detail::c(frame), detail::c(tangents),
-                                               &evaluate_surface<Forces>, owned, destroy, &first);
-        });
-        return first;
-    }
-    /** Compares the tangents that a law or user's force gives with differences. */
-    pdn_tangent_check check_tangents(Id force, double period) const
-    {
-        pdn_tangent_check out;
-        pdn_tangent_check_init(&out, sizeof out);
-        detail::check(pdn_model_check_tangents(get(), force, period, &out));
-        return out;
-    }
-    ///@}
-
-  private:
-    template <class Add> static Id id(Add add)
-    {
-        return detail::number<Id>(add);
-    }
-    static std::vector<std::int32_t> codes(const std::vector<Coordinate> &coordinates, Ids joints)
-    {
-        if (joints.size() != coordinates.size()) {
-            throw error(PDN_ERR_SIZE, "coordinates: expected as many as joints");
-        }
-        std::vector<std::int32_t> which;
-        for (const Coordinate coordinate : coordinates) {
-            which.push_back(detail::c(coordinate));
-        }
-        return which;
-    }
-    template <class Add> static std::vector<Id> rigid_joints(Add add)
-    {
-        Id first = 0, count = 0;
-        detail::check(add(&first, &count));
-        std::vector<Id> all;
-        for (Id k = 0; k < count; ++k) {
-            all.push_back(first + k);
-        }
-        return all;
-    }
-    pdn_status relation(Ids joints, const std::vector<Coordinate> &coordinates, Reals coefficients,
-                        const pdn_signal *signal, Id *out)
-    {
-        if (joints.size() != coordinates.size() || joints.size() != coefficients.size()) {
-            throw error(PDN_ERR_SIZE, "coefficients: expected as many as joints and coordinates");
-        }
-        const std::vector<std::int32_t> which = codes(coordinates, joints);
-        return pdn_model_add_relation(get(), joints.data(), which.data(), coefficients.data(),
-                                      joints.size(), signal, out);
-    }
-    /** Calls what takes the signals, and keeps what they point to; returns the id of what is added. */
-    template <class Call> Id take(const std::vector<const Signal *> &signals, Call call)
-    {
-        Id added = 0;
-        const std::size_t before = kept_.size();
-        for (const Signal *signal : signals) {
-            const std::int32_t kind = signal->get().kind;
-            if (kind == PDN_SIGNAL_FUNCTION || kind == PDN_SIGNAL_FUNCTION_OF_PHASE) {
-                kept_.push_back(signal->kept());
-            }
-        }
-        const pdn_status status = call(&added);
-        if (status != PDN_OK) {
-            kept_.resize(before);
-        }
-        detail::check(status);
-        return added;
-    }
-    template <class Law>
-    static std::int32_t evaluate_law(double time, double coordinate, double rate, double *effort,
-                                     double *derivatives, void *law) noexcept
-    {
-        return detail::guarded([=] {
-            const auto result = (*static_cast<Law *>(law))(time, coordinate, rate);
-            if constexpr (std::is_convertible_v<decltype(result), Effort>) {
-                const Effort &given = result;
-                *effort = given.effort;
-                if (derivatives != nullptr) {
-                    derivatives[0] = given.by_coordinate;
-                    derivatives[1] = given.by_rate;
-                }
-            } else {
-                *effort = result;
-            }
-            static_cast<void>(derivatives);
-        });
-    }
-    template <class Forces>
-    static std::int32_t evaluate_forces(const pdn_force_state *state, pdn_force_values *values,
-                                        void *forces) noexcept
-    {
-        return detail::guarded([=] {
-            const ForceState motions(*state);
-            ForceValues out(state->node_count, *values);
-            (*static_cast<Forces *>(forces))(motions, out);
-        });
-    }
-    template <class Forces>
-    static std::int32_t evaluate_surface(const pdn_surface_state *state, pdn_surface_values *values,
-                                         void *forces) noexcept
-    {
-        return detail::guarded([=] {
-            const SurfaceState points(*state);
-            SurfaceValues out(state->point_count, *values);
-            (*static_cast<Forces *>(forces))(points, out);
-        });
-    }
-
-    template <class Law>
-    static std::int32_t evaluate_controller(const pdn_controller_state *state,
-                                            pdn_controller_values *values, void *law) noexcept
-    {
-        return detail::guarded([=] {
-            const ControllerState read(*state);
-            ControllerValues out(read, *values);
-            (*static_cast<Law *>(law))(read, out);
-        });
-    }
-
-    detail::Kept kept_; // outlives the handle
-    std::unique_ptr<pdn_model, detail::Free> handle_;
-};
-
-/** Fourier coefficients: mean + rate t + sum of cosines[j-1] cos(j w t) + sines[j-1] sin(j w t). */
-struct Harmonics {
-    std::size_t components = 0;
-    /** One for each component. */
-    std::vector<double> mean, rate;
-    /** Components of each harmonic together. */
-    std::vector<double> cosines, sines;
-};
-
-/** What is asked of a solution, with the fields of ::pdn_quantity; `component` is PDN_ALL_COMPONENTS
- * at first. */
+/** What is asked of a solution, with the fields of ::pdn_quantity; `component` is
+ * PDN_ALL_COMPONENTS at first. */
 struct Quantity : pdn_quantity {
-    /** Of a node, joint, beam element, shell element or force. */
-    Quantity(Kind of_kind, std::int32_t of_object)
+    // WRITTEN BY script/cpp_interface: pdn_quantity
+    /** With its defaults. */
+    Quantity()
+        : pdn_quantity(detail::initialised(pdn_quantity_init))
     {
-        pdn_quantity_init(this, sizeof(pdn_quantity));
-        kind = detail::c(of_kind);
+    }
+    /** Number of components that are asked for: of values at a time, of means and of harmonics. */
+    std::size_t components() const
+    {
+        const std::int32_t told = pdn_quantity_components(this);
+        detail::check(told);
+        return static_cast<std::size_t>(told);
+    }
+    /** The component, from 0, or PDN_ALL_COMPONENTS, the default. Of coordinates and driving
+     * efforts, the coordinate: PDN_DISPLACEMENT, ..., PDN_ROTATION_3; of relations which of their
+     * coordinates, from 0. */
+    Quantity with_component(std::int32_t value) const
+    {
+        Quantity other(*this);
+        other.component = value;
+        return other;
+    }
+    /** PDN_FRAME_SPACE, the default, or PDN_FRAME_MATERIAL; of reactions PDN_FRAME_SPACE,
+     * PDN_FRAME_FIRST or PDN_FRAME_SECOND. */
+    Quantity with_frame(Frame value) const
+    {
+        Quantity other(*this);
+        other.frame = detail::in(value);
+        return other;
+    }
+    /** Of what a force exerts on one of its nodes, the node. */
+    Quantity with_node(std::int32_t value) const
+    {
+        Quantity other(*this);
+        other.node = value;
+        return other;
+    }
+    /** Of viscoelastic elements, the branch, from 0; of controllers, which of the coordinates that
+     * they act on, or which state, from 0. */
+    Quantity with_branch(std::int32_t value) const
+    {
+        Quantity other(*this);
+        other.branch = value;
+        return other;
+    }
+    /** Of beams, the place along the element, from -1 at its first to 1 at its last node; of
+     * shells, xi, from -1 to 1. */
+    Quantity with_station(double value) const
+    {
+        Quantity other(*this);
+        other.station = value;
+        return other;
+    }
+    /** Of shells, eta, from -1 to 1. */
+    Quantity with_station_eta(double value) const
+    {
+        Quantity other(*this);
+        other.station_eta = value;
+        return other;
+    }
+    /** Of shells, a direction in the reference configuration, global coordinates, whose part in the
+     * surface is axis 1. If it is zero, the default, axes are those of the section. They move with
+     * the shell. */
+    Quantity with_direction(const Vector3 &value) const
+    {
+        Quantity other(*this);
+        std::copy(value.begin(), value.end(), other.direction);
+        return other;
+    }
+    // END
+
+    /** Of a node, joint, beam element, shell element, force or relation. */
+    Quantity(Kind of_kind, std::int32_t of_object) : Quantity()
+    {
+        kind = detail::in(of_kind);
         object = of_object;
     }
     /** A coordinate of a joint, its rate or acceleration, or what drives it. */
     Quantity(Kind of_kind, std::int32_t joint, Coordinate coordinate) : Quantity(of_kind, joint)
     {
-        component = detail::c(coordinate);
-    }
-    /** Of a shell, at (xi, eta); a direction of zero stands for the axes of its section. */
-    Quantity(Kind of_kind, std::int32_t shell_element, const std::array<double, 2> &at,
-             const Vector3 &axis_1 = {})
-        : Quantity(of_kind, shell_element)
-    {
-        station = at[0];
-        station_eta = at[1];
-        for (std::size_t i = 0; i < 3; ++i) {
-            direction[i] = axis_1[i];
-        }
-    }
-    /** Along other axes: of velocities, accelerations and what a force exerts on a node. */
-    Quantity in(Frame of_motion) const
-    {
-        Quantity other(*this);
-        other.frame = detail::c(of_motion);
-        return other;
-    }
-    /** Along other axes: of reactions. */
-    Quantity in(Axes of_reaction) const
-    {
-        Quantity other(*this);
-        other.frame = detail::c(of_reaction);
-        return other;
-    }
-    /** At a place along a beam element, from -1 to 1. */
-    Quantity at(double along) const
-    {
-        Quantity other(*this);
-        other.station = along;
-        return other;
-    }
-    /** On this node: of what a force exerts. */
-    Quantity on(std::int32_t of_node) const
-    {
-        Quantity other(*this);
-        other.node = of_node;
-        return other;
-    }
-    /** Of this branch of a viscoelastic element; of controllers, of this coordinate or state. */
-    Quantity of_branch(std::int32_t which) const
-    {
-        Quantity other(*this);
-        other.branch = which;
-        return other;
-    }
-    /** Whether all components are asked for. */
-    bool is_whole() const noexcept
-    {
-        return component == PDN_ALL_COMPONENTS;
-    }
-    /** Number of components that are asked for. */
-    std::size_t components() const
-    {
-        const std::int32_t count = pdn_quantity_components(this);
-        detail::check(count);
-        return static_cast<std::size_t>(count);
+        component = detail::in(coordinate);
     }
 };
+static_assert(sizeof(Quantity) == sizeof(pdn_quantity) && sizeof(Section) == sizeof(pdn_section),
+              "arrays of these are arrays of those");
 
-/** Smallest and largest values of each component, and their times. */
-struct Extremes {
-    std::vector<double> smallest, time_of_smallest, largest, time_of_largest;
-};
+namespace detail
+{
 
-/** Newton iterations of the periodic problem. */
-struct History {
-    std::vector<double> residuals, increments, steps;
-};
+inline Converted<pdn_signal> in(const std::vector<std::array<Signal, 6>> &places)
+{
+    Converted<pdn_signal> signals;
+    for (const auto &place : places) {
+        signals.insert(signals.end(), place.begin(), place.end());
+    }
+    return signals;
+}
 
-/** A solution, converged or not. */
-class Solution
+/** Numbers, each time's together, as an array for each. */
+template <std::size_t C>
+Series<C> as_series(const std::vector<double> &numbers, std::size_t components)
+{
+    if (components != C) {
+        throw error(PDN_ERR_SIZE, "quantity: expected one of " + std::to_string(C) +
+                                      " components, got " + std::to_string(components));
+    }
+    Series<C> series(numbers.size() / C);
+    std::copy(numbers.begin(), numbers.end(), flat(series));
+    return series;
+}
+
+/** What the library has made: freed with the object, which can be moved, not copied. */
+template <class T, void (*free)(T *)> class Handle
 {
   public:
-    using Id = std::int32_t;
-
     /** Takes over a handle of periodyn.h; keeps the functions of signals that it may call. */
-    explicit Solution(pdn_solution *handle, detail::Kept kept = {})
-        : kept_(std::move(kept)), handle_(handle)
+    Handle(T *handle, Kept kept) : kept_(std::move(kept)), handle_(handle, free)
     {
     }
     /** The handle, for functions of periodyn.h; NULL if moved from. */
-    const pdn_solution *get() const noexcept
+    T *get() const noexcept
     {
         return handle_.get();
     }
-
-    /** @name The solve */
-    ///@{
-    Outcome outcome() const
-    {
-        const std::int32_t outcome = pdn_solution_outcome(get());
-        detail::check(outcome);
-        return static_cast<Outcome>(outcome);
-    }
-    bool converged() const
-    {
-        return outcome() == Outcome::converged;
-    }
-    std::string report() const
-    {
-        outcome(); // throws if there is nothing to report
-        return detail::text([&](char *buffer, std::size_t capacity) {
-            return pdn_solution_report(get(), buffer, capacity);
-        });
-    }
-    /** A copy whose quantities are seen through a spectral filter. */
-    Solution filtered(Filter filter, std::int32_t order) const
-    {
-        auto handle = detail::make<pdn_solution>([&](pdn_solution **out) {
-            return pdn_solution_filtered(get(), static_cast<std::int32_t>(filter), order, out);
-        });
-        return Solution(handle.release(), kept_);
-    }
-    /** Value of a parameter, or of the frequency. */
-    double parameter(std::int32_t parameter) const
-    {
-        return detail::number<double>(
-            [&](double *out) { return pdn_solution_parameter(get(), parameter, out); });
-    }
-    pdn_diagnostics diagnostics() const
-    {
-        pdn_diagnostics out;
-        pdn_diagnostics_init(&out, sizeof out);
-        detail::check(pdn_solution_diagnostics(get(), &out));
-        return out;
-    }
-    /** Figures of a march. */
-    pdn_march_diagnostics march() const
-    {
-        pdn_march_diagnostics out;
-        pdn_march_diagnostics_init(&out, sizeof out);
-        detail::check(pdn_solution_march(get(), &out));
-        return out;
-    }
-    /** Floquet multipliers of a solution by solve_shooting, the largest first. */
-    std::vector<std::complex<double>> floquet() const
-    {
-        std::size_t count = 0;
-        detail::check(pdn_solution_floquet_count(get(), &count));
-        std::vector<double> real(count), imaginary(count);
-        detail::check(pdn_solution_floquet(get(), real.data(), imaginary.data(), count));
-        std::vector<std::complex<double>> out(count);
-        for (std::size_t i = 0; i < count; ++i) {
-            out[i] = {real[i], imaginary[i]};
-        }
-        return out;
-    }
-    History history() const
-    {
-        const auto count = static_cast<std::size_t>(diagnostics().iterations);
-        History out;
-        out.residuals.resize(count);
-        out.increments.resize(count);
-        out.steps.resize(count);
-        detail::check(pdn_solution_history(get(), out.residuals.data(), out.increments.data(),
-                                           out.steps.data(), count));
-        return out;
-    }
-    /** Largest amplitude of each harmonic, from 0 on. */
-    std::vector<double> decay() const
-    {
-        std::vector<double> out((diagnostics().grid_points + 1) / 2);
-        detail::check(pdn_solution_decay(get(), out.data(), out.size()));
-        return out;
-    }
-    /** Times, widths and shares of the events that grid points are closer together about. */
-    std::array<std::vector<double>, 3> sharp_events() const
-    {
-        std::size_t count = 0;
-        detail::check(pdn_solution_sharp_event_count(get(), &count));
-        std::array<std::vector<double>, 3> out;
-        out.fill(std::vector<double>(count));
-        detail::check(pdn_solution_sharp_events(get(), out[0].data(), out[1].data(), out[2].data(),
-                                                count));
-        return out;
-    }
-    std::vector<double> grid_times() const
-    {
-        std::vector<double> out(diagnostics().grid_points);
-        detail::check(pdn_solution_grid_times(get(), out.data(), out.size()));
-        return out;
-    }
-    ///@}
-
-    /** @name Quantities */
-    ///@{
-    /** Values of a quantity at any times, components of each time together. */
-    std::vector<double> sample(const Quantity &quantity, Reals times) const
-    {
-        std::vector<double> out(quantity.components() * times.size());
-        detail::check(
-            pdn_solution_sample(get(), &quantity, times.data(), times.size(), out.data()));
-        return out;
-    }
-    /** Values of a quantity of C components: an array for each time. */
-    template <std::size_t C> Series<C> sample(const Quantity &quantity, Reals times) const
-    {
-        const std::size_t components = quantity.components();
-        if (components != C) {
-            throw error(PDN_ERR_SIZE, "quantity: expected one of " + std::to_string(C) +
-                                          " components, got " + std::to_string(components));
-        }
-        Series<C> out(times.size());
-        detail::check(
-            pdn_solution_sample(get(), &quantity, times.data(), times.size(), detail::flat(out)));
-        return out;
-    }
-    /** Fourier coefficients of a quantity. */
-    Harmonics harmonics(const Quantity &quantity, std::size_t harmonics) const
-    {
-        // Refuses too many before there is memory for them.
-        detail::check(pdn_solution_harmonics(get(), &quantity, harmonics, nullptr, nullptr, nullptr,
-                                             nullptr));
-        Harmonics out;
-        out.components = quantity.components();
-        out.mean.resize(out.components);
-        out.rate.resize(out.components);
-        out.cosines.resize(out.components * harmonics);
-        out.sines.resize(out.components * harmonics);
-        detail::check(pdn_solution_harmonics(get(), &quantity, harmonics, out.mean.data(),
-                                             out.rate.data(), out.cosines.data(),
-                                             out.sines.data()));
-        return out;
-    }
-    /** Smallest and largest values of a quantity. */
-    Extremes extremes(const Quantity &quantity) const
-    {
-        const std::vector<double> zero(quantity.components());
-        Extremes out{zero, zero, zero, zero};
-        detail::check(pdn_solution_extremes(get(), &quantity, out.smallest.data(),
-                                            out.time_of_smallest.data(), out.largest.data(),
-                                            out.time_of_largest.data()));
-        return out;
-    }
-    ///@}
-
-    /** Writes an animation for ParaView; the path ends in `.pvd`. */
-    void write_vtk(Reals times, std::size_t points_per_element, const std::string &path) const
-    {
-        detail::check(pdn_solution_write_vtk(get(), times.data(), times.size(), points_per_element,
-                                             path.c_str()));
-    }
-
-    /** Saves the solution with its model, for load. */
-    void save(const std::string &path) const
-    {
-        detail::check(pdn_solution_save(get(), path.c_str()));
-    }
-    static Solution load(const std::string &path)
-    {
-        return Solution(detail::make<pdn_solution>([&](pdn_solution **out) {
-                            return pdn_solution_load(path.c_str(), out);
-                        }).release());
-    }
-    /** A copy of the model, as it was when it was solved. */
-    Model model() const
-    {
-        auto handle = detail::make<pdn_model>(
-            [&](pdn_model **out) { return pdn_solution_model(get(), out); });
-        return Model(handle.release(), kept_);
-    }
-
-  private:
-    detail::Kept kept_; // outlives the handle
-    std::unique_ptr<pdn_solution, detail::Free> handle_;
-};
-
-/** Told of each iteration, and now and then while one lasts: true to go on, false to cancel. */
-using Progress = std::function<bool(const pdn_progress &)>;
-
-/** Options of solve_periodic, with the fields of ::pdn_periodic_options and these in place of
- * pointers. */
-struct PeriodicOptions : pdn_periodic_options {
-    PeriodicOptions()
-    {
-        pdn_periodic_options_init(this, sizeof(pdn_periodic_options));
-    }
-    /** Start from this solution. */
-    const Solution *initial = nullptr;
-    /** Start from these motions: grid points of each node together. */
-    Series<3> guess_positions;
-    Series<9> guess_rotations;
-    Progress progress;
-};
-
-/** Options of solve_static, with the fields of ::pdn_static_options and these in place of pointers.
- */
-struct StaticOptions : pdn_static_options {
-    StaticOptions()
-    {
-        pdn_static_options_init(this, sizeof(pdn_static_options));
-    }
-    /** Start from this solution. */
-    const Solution *initial = nullptr;
-    Progress progress;
-};
-
-namespace detail
-{
-
-/** Calls Progress for the library, and keeps what it throws. */
-class Watch
-{
-  public:
-    /** Points options of the library to it. */
-    template <class Options> Watch(const Progress &progress, Options &options) : progress_(progress)
-    {
-        if (progress) {
-            options.progress = &tell;
-            options.progress_data = this;
-        }
-    }
-    void rethrow() const
-    {
-        if (thrown_) {
-            std::rethrow_exception(thrown_);
-        }
-    }
-
-  private:
-    static std::int32_t tell(const pdn_progress *progress, void *watch) noexcept
-    {
-        auto &self = *static_cast<Watch *>(watch);
-        try {
-            return self.progress_(*progress) ? 0 : 1;
-        } catch (...) {
-            self.thrown_ = std::current_exception();
-            return 1;
-        }
-    }
-
-    const Progress &progress_;
-    std::exception_ptr thrown_;
-};
-
-inline const pdn_solution *initial(const Solution *solution)
-{
-    if (solution != nullptr && solution->get() == nullptr) {
-        throw error(PDN_ERR_NULL,
-                    "options.initial: expected a solution, got one that was moved from");
-    }
-    return solution != nullptr ? solution->get() : nullptr;
-}
-
-} // namespace detail
-
-namespace detail
-{
-
-/** Options as the library takes them, but for progress. */
-inline pdn_periodic_options plain(const Model &model, const PeriodicOptions &options)
-{
-    pdn_periodic_options plain = options;
-    plain.initial = initial(options.initial);
-    if (!options.guess_positions.empty() || !options.guess_rotations.empty()) {
-        const std::size_t points =
-            options.harmonics != 0 ? 2 * options.harmonics + 1 : options.grid_points;
-        const std::size_t motions = points * static_cast<std::size_t>(model.node_count());
-        if (options.guess_positions.size() != motions ||
-            options.guess_rotations.size() != motions) {
-            throw error(
-                PDN_ERR_SIZE,
-                "options.guess: expected positions and rotations for each grid point and node");
-        }
-        plain.guess_positions = flat(options.guess_positions);
-        plain.guess_rotations = flat(options.guess_rotations);
-    }
-    return plain;
-}
-
-} // namespace detail
-
-/** Finds the periodic response directly; whether it converged is told by Solution::outcome. */
-inline Solution solve_periodic(const Model &model, double period,
-                               const PeriodicOptions &options = {})
-{
-    pdn_periodic_options plain = detail::plain(model, options);
-    detail::Watch watch(options.progress, plain);
-    auto handle = detail::make<pdn_solution>(
-        [&](pdn_solution **out) { return pdn_solve_periodic(model.get(), period, &plain, out); });
-    watch.rethrow();
-    return Solution(handle.release(), model.kept());
-}
-
-/** Free parameters, and as many conditions that determine them. */
-class Conditions
-{
-  public:
-    Conditions()
-        : handle_(detail::make<pdn_conditions>(
-              [](pdn_conditions **out) { return pdn_conditions_new(out); }))
-    {
-    }
-    /** The handle, for functions of periodyn.h; NULL if moved from. */
-    pdn_conditions *get() const noexcept
-    {
-        return handle_.get();
-    }
-    /** Makes a parameter, or the frequency, free. */
-    void release(std::int32_t parameter)
-    {
-        detail::check(pdn_conditions_release(get(), parameter));
-    }
-    void add_phase()
-    {
-        detail::check(pdn_conditions_add_phase(get()));
-    }
-    /** That it is not turned about an axis through `point` from what the solve starts from. */
-    void add_rotation_phase(const Vector3 &axis, const Vector3 &point = {0, 0, 0})
-    {
-        detail::check(pdn_conditions_add_rotation_phase(get(), axis.data(), point.data()));
-    }
-    /** That it is not moved in a direction from what the solve starts from. */
-    void add_translation_phase(const Vector3 &direction)
-    {
-        detail::check(pdn_conditions_add_translation_phase(get(), direction.data()));
-    }
-    /** A joint coordinate at the start of the period. */
-    void add_joint_coordinate(std::int32_t joint, Coordinate coordinate, double value)
-    {
-        detail::check(
-            pdn_conditions_add_joint_coordinate(get(), joint, detail::c(coordinate), value));
-    }
-    /** A feature of one component of a quantity; `at` is the number of a harmonic, or a time. */
-    void add_quantity(const Quantity &quantity, Feature feature, double at, double value,
-                      double scale = 0)
-    {
-        detail::check(pdn_conditions_add_quantity(get(), &quantity, detail::c(feature), at, value,
-                                                  scale));
-    }
-    void add_energy(double energy)
-    {
-        detail::check(pdn_conditions_add_energy(get(), energy));
-    }
-    /** The mean momentum in a direction, in the inertial frame. */
-    void add_momentum(const Vector3 &direction, double momentum)
-    {
-        detail::check(pdn_conditions_add_momentum(get(), direction.data(), momentum));
-    }
-    /** The mean angular momentum about an axis through `point`, in the inertial frame. */
-    void add_angular_momentum(const Vector3 &axis, double momentum,
-                              const Vector3 &point = {0, 0, 0})
-    {
-        detail::check(pdn_conditions_add_angular_momentum(get(), axis.data(), point.data(),
-                                                          momentum));
-    }
-
-  private:
-    std::unique_ptr<pdn_conditions, detail::Free> handle_;
-};
-
-/** Finds a periodic response that meets conditions, and as many free parameters. */
-inline Solution solve_conditioned(const Model &model, double period, const Conditions &conditions,
-                                  const PeriodicOptions &options = {})
-{
-    pdn_periodic_options plain = detail::plain(model, options);
-    detail::Watch watch(options.progress, plain);
-    auto handle = detail::make<pdn_solution>([&](pdn_solution **out) {
-        return pdn_solve_conditioned(model.get(), period, conditions.get(), &plain, out);
-    });
-    watch.rethrow();
-    return Solution(handle.release(), model.kept());
-}
-
-/** Options of Sensitivities::of, with the fields of ::pdn_sensitivity_options. */
-struct SensitivityOptions : pdn_sensitivity_options {
-    SensitivityOptions(SensitivityMethod how = SensitivityMethod::automatic)
-    {
-        pdn_sensitivity_options_init(this, sizeof(pdn_sensitivity_options));
-        this->method = detail::c(how);
-    }
-};
-
-class Stability;
-
-/** What is differentiated, by what: rows and columns of derivatives. */
-class Sensitivities
-{
-  public:
-    Sensitivities()
-        : handle_(detail::make<pdn_sensitivities>(
-              [](pdn_sensitivities **out) { return pdn_sensitivities_new(out); }))
-    {
-    }
-    /** The handle, for functions of periodyn.h; NULL if moved from. */
-    pdn_sensitivities *get() const noexcept
-    {
-        return handle_.get();
-    }
-    /** A feature of one component of a quantity; `at` is the number of a harmonic, or a time. */
-    void add_quantity(const Quantity &quantity, Feature feature, double at = 0)
-    {
-        detail::check(pdn_sensitivities_add_quantity(get(), &quantity, detail::c(feature), at));
-        ++dependents_;
-    }
-    /** The value of a free parameter, or of the frequency. */
-    void add_found(std::int32_t parameter)
-    {
-        detail::check(pdn_sensitivities_add_found(get(), parameter));
-        ++dependents_;
-    }
-    /** A parameter, or the frequency, that all is differentiated by. */
-    void add_parameter(std::int32_t parameter)
-    {
-        detail::check(pdn_sensitivities_add_parameter(get(), parameter));
-        ++parameters_;
-    }
-    /** Derivatives at a solution, where free parameters follow conditions: those by a parameter
-     * together. */
-    std::vector<double> of(const Solution &solution, const Conditions *conditions = nullptr,
-                           const SensitivityOptions &options = {}) const
-    {
-        std::vector<double> derivatives(dependents_ * parameters_);
-        detail::check(pdn_solution_sensitivities(
-            solution.get(), get(), conditions ? conditions->get() : nullptr, &options,
-            derivatives.data(), dependents_, parameters_));
-        return derivatives;
-    }
-
-    /** Derivatives of a Floquet multiplier of a solution by the parameters. */
-    std::vector<std::complex<double>> of_multiplier(const Solution &solution,
-                                                    const Stability &stability,
-                                                    std::int32_t number,
-                                                    const Conditions *conditions = nullptr,
-                                                    const SensitivityOptions &options = {}) const;
-
-  private:
-    std::unique_ptr<pdn_sensitivities, detail::Free> handle_;
-    std::size_t dependents_ = 0, parameters_ = 0;
-};
-
-/** Options of follow_branch, with the fields of ::pdn_branch_options and these in place of pointers.
- */
-struct BranchOptions : pdn_branch_options {
-    BranchOptions()
-    {
-        pdn_branch_options_init(this, sizeof(pdn_branch_options));
-    }
-    /** Grid, and where the first solve starts. */
-    PeriodicOptions periodic;
-    /** What else is free. */
-    const Conditions *conditions = nullptr;
-};
-
-/** Periodic motions along a parameter: points counted from 0. */
-class Branch
-{
-  public:
-    /** Takes over a handle of periodyn.h; keeps the functions that it may call. */
-    explicit Branch(pdn_branch *handle, detail::Kept kept = {})
-        : kept_(std::move(kept)), handle_(handle)
-    {
-    }
-    /** The handle, for functions of periodyn.h; NULL if moved from. */
-    const pdn_branch *get() const noexcept
-    {
-        return handle_.get();
-    }
-    BranchEnd end() const
-    {
-        const std::int32_t end = pdn_branch_end(get());
-        detail::check(end);
-        return static_cast<BranchEnd>(end);
-    }
-    std::string report() const
-    {
-        end(); // throws if there is nothing to report
-        return detail::text([&](char *buffer, std::size_t capacity) {
-            return pdn_branch_report(get(), buffer, capacity);
-        });
-    }
-    std::int32_t count() const
-    {
-        return detail::number<std::int32_t>(
-            [&](std::int32_t *out) { return pdn_branch_count(get(), out); });
-    }
-    pdn_branch_point point(std::int32_t point) const
-    {
-        pdn_branch_point out;
-        pdn_branch_point_init(&out, sizeof out);
-        detail::check(pdn_branch_get(get(), point, &out));
-        return out;
-    }
-    Solution solution(std::int32_t point) const
-    {
-        auto handle = detail::make<pdn_solution>(
-            [&](pdn_solution **out) { return pdn_branch_solution(get(), point, out); });
-        return Solution(handle.release(), kept_);
-    }
-    /** With the mean, the first harmonic and the extremes of each component of quantities. */
-    void write_csv(const std::string &path, const std::vector<Quantity> &quantities = {}) const
-    {
-        const std::vector<pdn_quantity> plain(quantities.begin(), quantities.end());
-        detail::check(pdn_branch_write_csv(get(), plain.data(), plain.size(), path.c_str()));
-    }
-    /** Exponents along the branch, with what moves in them; blades are a node of each of the equal
-     * parts of a rotor, one after the other around it. */
-    void write_campbell(const std::string &path, const std::vector<std::int32_t> &blades = {},
-                        const pdn_stability_options *options = nullptr) const
-    {
-        detail::check(pdn_branch_write_campbell(get(), options, blades.data(), blades.size(),
-                                                path.c_str()));
-    }
-    /** Saves the branch with its model, for load. */
-    void save(const std::string &path) const
-    {
-        detail::check(pdn_branch_save(get(), path.c_str()));
-    }
-    static Branch load(const std::string &path)
-    {
-        auto handle = detail::make<pdn_branch>(
-            [&](pdn_branch **out) { return pdn_branch_load(path.c_str(), out); });
-        return Branch(handle.release());
-    }
-    /** What of the caller's it keeps. */
-    const detail::Kept &kept() const noexcept
+    /** The functions of signals that it may call. */
+    const Kept &kept() const noexcept
     {
         return kept_;
     }
 
+  protected:
+    /** The text that a function of the handle writes. */
+    template <class Write> std::string text_of(const char *name, Write write) const
+    {
+        in(this, name);
+        return text(write);
+    }
+    /** A call that takes signals: functions among them are kept, as all else is copied. */
+    template <class Call, class... Signals> void take(Call call, const Signals &...signals)
+    {
+        const std::size_t before = kept_.size();
+        (keep(signals), ...);
+        const pdn_status status = call();
+        if (status != PDN_OK) {
+            kept_.resize(before);
+        }
+        check(status);
+    }
+
   private:
-    detail::Kept kept_; // outlives the handle
-    std::unique_ptr<pdn_branch, detail::Free> handle_;
+    void keep(const std::optional<Signal> &signal)
+    {
+        if (signal && (signal->kind == PDN_SIGNAL_FUNCTION ||
+                       signal->kind == PDN_SIGNAL_FUNCTION_OF_PHASE)) {
+            kept_.push_back(signal->kept);
+        }
+    }
+    void keep(const std::vector<std::array<Signal, 6>> &places)
+    {
+        for (const auto &place : places) {
+            for (const Signal &signal : place) {
+                keep(signal);
+            }
+        }
+    }
+
+    Kept kept_; // outlives the handle
+    std::unique_ptr<T, void (*)(T *)> handle_;
 };
-
-namespace detail
-{
-
-template <class Follow>
-Branch follow(pdn_periodic_options periodic, const Kept &kept, const BranchOptions &options,
-              Follow function)
-{
-    Watch watch(options.periodic.progress, periodic);
-    pdn_branch_options chosen = options;
-    chosen.periodic = &periodic;
-    chosen.conditions = options.conditions ? options.conditions->get() : nullptr;
-    auto handle = make<pdn_branch>([&](pdn_branch **out) { return function(&chosen, out); });
-    watch.rethrow();
-    return Branch(handle.release(), kept);
-}
-
-template <class Follow>
-Branch follow(const Model &model, const BranchOptions &options, Follow function)
-{
-    return follow(plain(model, options.periodic), model.kept(), options, function);
-}
-
-template <class Follow>
-Branch follow(const Branch &branch, const BranchOptions &options, Follow function)
-{
-    return follow(options.periodic, branch.kept(), options, function);
-}
 
 } // namespace detail
 
-/** Follows periodic motions along a parameter, or the frequency, through folds. */
-inline Branch follow_branch(const Model &model, double period, std::int32_t parameter,
-                            const BranchOptions &options)
-{
-    return detail::follow(model, options, [&](const pdn_branch_options *chosen, pdn_branch **out) {
-        return pdn_follow_branch(model.get(), period, parameter, chosen, out);
-    });
-}
-
-/** Finds the response over a range of circular frequencies, through folds. */
-inline Branch solve_frequency_response(const Model &model, double first, double last,
-                                       const BranchOptions &options = {})
-{
-    return detail::follow(model, options, [&](const pdn_branch_options *chosen, pdn_branch **out) {
-        return pdn_solve_frequency_response(model.get(), first, last, chosen, out);
-    });
-}
-
-/** Follows the other branch from a branch point or a period doubling on; where solves start is not
- * used. */
-inline Branch switch_branch(const Branch &branch, std::int32_t point, double amplitude,
-                            const BranchOptions &options)
-{
-    return detail::follow(branch, options, [&](const pdn_branch_options *chosen, pdn_branch **out) {
-        return pdn_switch_branch(branch.get(), point, amplitude, chosen, out);
-    });
-}
-
-/** Follows folds, period doublings or torus points along a second parameter, from one of them on. */
-inline Branch follow_locus(const Branch &branch, std::int32_t point, std::int32_t parameter,
-                           const BranchOptions &options)
-{
-    return detail::follow(branch, options, [&](const pdn_branch_options *chosen, pdn_branch **out) {
-        return pdn_follow_locus(branch.get(), point, parameter, chosen, out);
-    });
-}
-
-/** Follows a branch on from its last point; what is returned has all points. */
-inline Branch continue_branch(const Branch &branch, const BranchOptions &options)
-{
-    return detail::follow(branch, options, [&](const pdn_branch_options *chosen, pdn_branch **out) {
-        return pdn_continue_branch(branch.get(), chosen, out);
-    });
-}
-
-/** Finds an equilibrium at one time, at rest or in steady rotation. */
-inline Solution solve_static(const Model &model, const StaticOptions &options = {})
-{
-    pdn_static_options plain = options;
-    plain.initial = detail::initial(options.initial);
-    detail::Watch watch(options.progress, plain);
-    auto handle = detail::make<pdn_solution>(
-        [&](pdn_solution **out) { return pdn_solve_static(model.get(), &plain, out); });
-    watch.rethrow();
-    return Solution(handle.release(), model.kept());
-}
-
-/** Options of march, with the fields of ::pdn_march_options and these in place of pointers. */
-struct MarchOptions : pdn_march_options {
-    MarchOptions()
-    {
-        pdn_march_options_init(this, sizeof(pdn_march_options));
-    }
-    /** Start from this solution. */
-    const Solution *initial = nullptr;
-    /** Start from these motions and velocities of the nodes. */
-    Series<3> positions;
-    Series<9> rotations;
-    Series<6> velocities;
-    Progress progress;
-};
-
-/** Marches a model in time; the solution is a trajectory. */
-inline Solution march(const Model &model, const MarchOptions &options)
-{
-    pdn_march_options plain = options;
-    plain.initial = detail::initial(options.initial);
-    const auto nodes = static_cast<std::size_t>(model.node_count());
-    for (const std::size_t given :
-         {options.positions.size(), options.rotations.size(), options.velocities.size()}) {
-        if (given != 0 && given != nodes) {
-            throw error(PDN_ERR_SIZE,
-                        "options: expected positions, rotations, velocities of all nodes");
-        }
-    }
-    plain.positions = options.positions.empty() ? nullptr : detail::flat(options.positions);
-    plain.rotations = options.rotations.empty() ? nullptr : detail::flat(options.rotations);
-    plain.velocities = options.velocities.empty() ? nullptr : detail::flat(options.velocities);
-    detail::Watch watch(options.progress, plain);
-    auto handle = detail::make<pdn_solution>(
-        [&](pdn_solution **out) { return pdn_march(model.get(), &plain, out); });
-    watch.rethrow();
-    return Solution(handle.release(), model.kept());
-}
-
-/** Options of Equations, with the fields of ::pdn_equations_options and these in place of pointers.
- * The functions by which ranks tell each other numbers are plain ones, see ::pdn_exchange_fn. */
-struct EquationsOptions : pdn_equations_options {
-    EquationsOptions()
-    {
-        pdn_equations_options_init(this, sizeof(pdn_equations_options));
-    }
-    /** Start from this solution. */
-    const Solution *initial = nullptr;
-    /** Rank of each node; none for runs of nodes with about the same work. */
-    std::vector<std::int32_t> owners;
-};
-
-/** The equations of a periodic motion below the solve, for solvers of your own; see
- * ::pdn_equations. Vectors are of the length sizes().size. */
-class Equations
+// WRITTEN BY script/cpp_interface: classes
+/** What is differentiated, by what. */
+class Sensitivities : public detail::Handle<pdn_sensitivities, pdn_sensitivities_free>
 {
   public:
-    Equations(const Model &model, double period, const EquationsOptions &options)
-        : kept_(model.kept())
+    using Handle::Handle;
+    /** Makes an empty list: nothing is differentiated. */
+    Sensitivities() : Handle(nullptr, {})
     {
-        pdn_equations_options plain = options;
-        plain.initial = detail::initial(options.initial);
-        plain.owners = options.owners.empty() ? nullptr : options.owners.data();
-        plain.owner_count = options.owners.size();
-        handle_ = detail::make<pdn_equations>([&](pdn_equations **out) {
-            return pdn_equations_new(model.get(), period, &plain, out);
-        });
+        pdn_sensitivities *out = nullptr;
+        detail::check(pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR));
+        const pdn_status status = pdn_sensitivities_new(&out);
+        *this = Sensitivities(out, {});
+        detail::check(status);
     }
-    /** The handle, for functions of periodyn.h; NULL if moved from. */
-    pdn_equations *get() const noexcept
+    /** Adds a dependent: the mean, a harmonic, the value at a time, or a peak of a quantity. */
+    void add_quantity(const Quantity &quantity, Feature feature, double at = 0.0)
     {
-        return handle_.get();
+        detail::check(pdn_sensitivities_add_quantity(get(), &quantity, detail::in(feature), at));
     }
-    pdn_equations_sizes sizes() const
+    /** Adds a dependent: the value of a free parameter, which conditions determine. */
+    void add_found(std::int32_t parameter)
     {
-        pdn_equations_sizes sizes;
-        pdn_equations_sizes_init(&sizes, sizeof sizes);
-        detail::check(pdn_equations_get_sizes(get(), &sizes));
-        return sizes;
+        detail::check(pdn_sensitivities_add_found(get(), parameter));
     }
-    /** Nodes of this rank. */
-    std::vector<std::int32_t> nodes() const
+    /** Adds a parameter that all is differentiated by. */
+    void add_parameter(std::int32_t parameter)
     {
-        std::vector<std::int32_t> nodes(sizes().nodes);
-        detail::check(pdn_equations_nodes(get(), nodes.data(), nodes.size()));
-        return nodes;
+        detail::check(pdn_sensitivities_add_parameter(get(), parameter));
     }
-    /** Numbers of this rank's unknowns among those of all. */
-    std::vector<std::size_t> numbers() const
-    {
-        std::vector<std::size_t> numbers(sizes().size);
-        detail::check(pdn_equations_numbers(get(), numbers.data(), numbers.size()));
-        return numbers;
-    }
-    /** Motions and own unknowns, as ::pdn_equations_state gives them. */
-    std::pair<std::vector<double>, std::vector<double>> state() const
-    {
-        const pdn_equations_sizes sizes = this->sizes();
-        std::vector<double> motions(sizes.motions), own(sizes.own_unknowns);
-        detail::check(pdn_equations_state(get(), motions.data(), motions.size(), own.data(),
-                                          own.size()));
-        return {std::move(motions), std::move(own)};
-    }
-    void set_state(const std::vector<double> &motions, const std::vector<double> &own_unknowns)
-    {
-        detail::check(pdn_equations_set_state(get(), motions.data(), motions.size(),
-                                              own_unknowns.data(), own_unknowns.size()));
-    }
-    std::vector<double> residual()
-    {
-        std::vector<double> residual(sizes().size);
-        detail::check(pdn_equations_residual(get(), residual.data(), residual.size()));
-        return residual;
-    }
-    void linearise()
-    {
-        detail::check(pdn_equations_linearise(get()));
-    }
-    std::vector<double> product(const std::vector<double> &x)
-    {
-        std::vector<double> out(x.size());
-        detail::check(pdn_equations_product(get(), x.data(), out.data(), x.size()));
-        return out;
-    }
-    std::vector<double> transposed_product(const std::vector<double> &x)
-    {
-        std::vector<double> out(x.size());
-        detail::check(pdn_equations_transposed_product(get(), x.data(), out.data(), x.size()));
-        return out;
-    }
-    /** The product with what multiplies a power of mu, 1 or 2, for disturbances exp(mu t). */
-    std::vector<double> power_product(std::int32_t power, const std::vector<double> &x)
-    {
-        std::vector<double> out(x.size());
-        detail::check(pdn_equations_power_product(get(), power, x.data(), out.data(), x.size()));
-        return out;
-    }
-    /** Factors the preconditioner; false if it is singular. */
-    bool factor(const std::vector<double> &right_side)
-    {
-        return detail::number<std::int32_t>([&](std::int32_t *regular) {
-                   return pdn_equations_factor(get(), right_side.data(), right_side.size(),
-                                               regular);
-               }) != 0;
-    }
-    std::vector<double> precondition(const std::vector<double> &x)
-    {
-        std::vector<double> out(x.size());
-        detail::check(pdn_equations_precondition(get(), x.data(), out.data(), x.size()));
-        return out;
-    }
-    /** What an increment leaves of constraints by their compliance; empty if they have none. */
-    std::vector<double> compliance(const std::vector<double> &increment)
-    {
-        std::vector<double> out(increment.size());
-        const auto compliant = detail::number<std::int32_t>([&](std::int32_t *flag) {
-            return pdn_equations_compliance(get(), increment.data(), out.data(), out.size(), flag);
-        });
-        return compliant != 0 ? out : std::vector<double>();
-    }
-    void update(const std::vector<double> &increment, double step = 1)
-    {
-        detail::check(pdn_equations_update(get(), increment.data(), increment.size(), step));
-    }
-    /** Largest motion, and largest relative change of an own unknown. */
-    std::array<double, 2> norms(const std::vector<double> &increment) const
-    {
-        std::array<double, 2> norms{};
-        detail::check(pdn_equations_norms(get(), increment.data(), increment.size(), &norms[0],
-                                          &norms[1]));
-        return norms;
-    }
-    /** The present state as a solution, on one rank or, for -1, on all; none on the others. */
-    std::unique_ptr<Solution> solution(Outcome outcome, std::int32_t root = -1) const
-    {
-        auto handle = detail::make<pdn_solution>([&](pdn_solution **out) {
-            return pdn_equations_solution(get(), root, detail::c(outcome), out);
-        });
-        return handle ? std::make_unique<Solution>(handle.release(), kept_) : nullptr;
-    }
-
-  private:
-    detail::Kept kept_;
-    std::unique_ptr<pdn_equations, detail::Free> handle_;
 };
 
-/** Options of solve_shooting, with the fields of ::pdn_shooting_options and these in place of
- * pointers. */
-struct ShootingOptions : pdn_shooting_options {
-    ShootingOptions()
-    {
-        pdn_shooting_options_init(this, sizeof(pdn_shooting_options));
-    }
-    /** Start the march from this solution. */
-    const Solution *initial = nullptr;
-    Progress progress;
-};
-
-/** Finds the periodic response by Newton's method on the period map of march; the solution is a
- * trajectory. */
-inline Solution solve_shooting(const Model &model, double period,
-                               const ShootingOptions &options = {})
-{
-    pdn_shooting_options plain = options;
-    plain.initial = detail::initial(options.initial);
-    detail::Watch watch(options.progress, plain);
-    auto handle = detail::make<pdn_solution>(
-        [&](pdn_solution **out) { return pdn_solve_shooting(model.get(), period, &plain, out); });
-    watch.rethrow();
-    return Solution(handle.release(), model.kept());
-}
-
-/** Options of solve_stability, with the fields of ::pdn_stability_options and this in place of
- * pointers. */
-struct StabilityOptions : pdn_stability_options {
-    StabilityOptions()
-    {
-        pdn_stability_options_init(this, sizeof(pdn_stability_options));
-    }
-    Progress progress;
-};
-
-/** Mode of a multiplier at a node over the period, along the node's own axes. */
-struct FloquetMode {
-    Series<6> real, imaginary;
-};
-
-/** Floquet multipliers of a periodic solution, the largest first. */
-class Stability
+/** Free parameters, and as many conditions. */
+class Conditions : public detail::Handle<pdn_conditions, pdn_conditions_free>
 {
   public:
-    /** Takes over a handle of periodyn.h. */
-    explicit Stability(pdn_stability *handle) : handle_(handle)
+    using Handle::Handle;
+    /** Makes an empty list: no parameter is free. */
+    Conditions() : Handle(nullptr, {})
+    {
+        pdn_conditions *out = nullptr;
+        detail::check(pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR));
+        const pdn_status status = pdn_conditions_new(&out);
+        *this = Conditions(out, {});
+        detail::check(status);
+    }
+    /** Makes a parameter free: its value in the model is that to start from. */
+    void release(std::int32_t parameter)
+    {
+        detail::check(pdn_conditions_release(get(), parameter));
+    }
+    /** Adds the condition on the phase: the motion is not ahead of that which the solve starts
+     * from. */
+    void add_phase()
+    {
+        detail::check(pdn_conditions_add_phase(get()));
+    }
+    /** Adds the condition on the phase of a rotation: in the mean over the period and all nodes,
+     * the motion is not turned about an axis from that which the solve starts from. */
+    void add_rotation_phase(const Vector3 &axis, const std::optional<Vector3> &point = {})
+    {
+        detail::check(pdn_conditions_add_rotation_phase(get(), detail::in(axis),
+            detail::in(point)));
+    }
+    /** Adds the condition on the phase of a translation: in the mean over the period and all nodes,
+     * the motion is not moved in a direction from that which the solve starts from. */
+    void add_translation_phase(const Vector3 &direction)
+    {
+        detail::check(pdn_conditions_add_translation_phase(get(), detail::in(direction)));
+    }
+    /** Adds the condition that the mean, a harmonic, or the value at a time, of a quantity is this:
+     * trim. */
+    void add_quantity(const Quantity &quantity, Feature feature, double at, double value,
+        double scale = 0.0)
+    {
+        detail::check(pdn_conditions_add_quantity(get(), &quantity, detail::in(feature), at, value,
+            scale));
+    }
+    /** Adds the condition that a joint coordinate has a value at the start of the period. */
+    void add_joint_coordinate(std::int32_t joint, Coordinate coordinate, double value)
+    {
+        detail::check(pdn_conditions_add_joint_coordinate(get(), joint, detail::in(coordinate),
+            value));
+    }
+    /** Adds the condition that the mean of the kinetic and the potential energy over the period is
+     * a value. */
+    void add_energy(double energy)
+    {
+        detail::check(pdn_conditions_add_energy(get(), energy));
+    }
+    /** Adds the condition that the mean momentum in a direction is a value. */
+    void add_momentum(const Vector3 &direction, double momentum)
+    {
+        detail::check(pdn_conditions_add_momentum(get(), detail::in(direction), momentum));
+    }
+    /** Adds the condition that the mean angular momentum about an axis is a value. */
+    void add_angular_momentum(const Vector3 &axis, double momentum,
+        const std::optional<Vector3> &point = {})
+    {
+        detail::check(pdn_conditions_add_angular_momentum(get(), detail::in(axis),
+            detail::in(point), momentum));
+    }
+};
+
+/** Options of ::pdn_solution_sensitivities. */
+struct SensitivityOptions : pdn_sensitivity_options {
+    /** With its defaults. */
+    SensitivityOptions()
+        : pdn_sensitivity_options(detail::initialised(pdn_sensitivity_options_init))
     {
     }
-    /** The handle, for functions of periodyn.h; NULL if moved from. */
-    const pdn_stability *get() const noexcept
+    /** PDN_SENSITIVITY_AUTOMATIC, the default, PDN_SENSITIVITY_DIRECT or
+     * PDN_SENSITIVITY_ADJOINT. */
+    SensitivityMethod method = static_cast<SensitivityMethod>(pdn_sensitivity_options::method);
+    /** How linear equations are solved: PDN_LINEAR_AUTOMATIC, ... Default PDN_LINEAR_AUTOMATIC. */
+    Linear linear_solver = static_cast<Linear>(pdn_sensitivity_options::linear_solver);
+    /** As the library takes it, valid while this object stays as it is. */
+    const pdn_sensitivity_options *get()
     {
-        return handle_.get();
+        pdn_sensitivity_options::method = detail::in(method);
+        pdn_sensitivity_options::linear_solver = detail::in(linear_solver);
+        return this;
     }
+};
+
+/** What stability_verdict gives. */
+struct StabilityVerdict {
+    /** PDN_STABLE, PDN_UNSTABLE or PDN_STABILITY_NOT_KNOWN. */
+    Verdict verdict;
+    /** Angular frequency of modes up to which the verdict holds; infinite if all multipliers are
+     * known. */
+    double frequency_limit;
+};
+
+/** What stability_count gives. */
+struct StabilityCount {
+    /** The number that are known. */
+    std::size_t count;
+    /** The number that the system has. */
+    std::size_t states;
+};
+
+/** What stability_shape gives. */
+struct StabilityShape {
+    /** Real part, components fastest. */
+    Series<6> real;
+    /** Imaginary part. */
+    Series<6> imaginary;
+};
+
+/** Floquet multipliers of a periodic solution. */
+class Stability : public detail::Handle<pdn_stability, pdn_stability_free>
+{
+  public:
+    using Handle::Handle;
+    /** How the analysis ended. */
     Outcome outcome() const
     {
-        const std::int32_t outcome = pdn_stability_outcome(get());
-        detail::check(outcome);
-        return static_cast<Outcome>(outcome);
+        const std::int32_t told = pdn_stability_outcome(get());
+        detail::check(told);
+        return static_cast<Outcome>(told);
     }
-    Verdict verdict() const
-    {
-        std::int32_t out = 0;
-        detail::check(pdn_stability_verdict(get(), &out, nullptr));
-        return static_cast<Verdict>(out);
-    }
-    /** Angular frequency up to which the verdict holds; infinite if all multipliers are known. */
-    double frequency_limit() const
-    {
-        std::int32_t verdict = 0;
-        double out = 0;
-        detail::check(pdn_stability_verdict(get(), &verdict, &out));
-        return out;
-    }
-    /** Number of multipliers that are known. */
-    std::size_t count() const
-    {
-        return detail::number<std::size_t>(
-            [&](std::size_t *out) { return pdn_stability_count(get(), out, nullptr); });
-    }
-    /** Number of multipliers that the system has. */
-    std::size_t states() const
-    {
-        std::size_t count = 0, states = 0;
-        detail::check(pdn_stability_count(get(), &count, &states));
-        return states;
-    }
-    pdn_multiplier multiplier(std::int32_t number) const
-    {
-        pdn_multiplier out;
-        pdn_multiplier_init(&out, sizeof out);
-        detail::check(pdn_stability_get(get(), number, &out));
-        return out;
-    }
-    /** Times of modes. */
-    std::vector<double> times() const
-    {
-        std::size_t steps = 0;
-        detail::check(pdn_stability_times(get(), nullptr, 0, &steps));
-        std::vector<double> out(steps);
-        detail::check(pdn_stability_times(get(), out.data(), steps, nullptr));
-        return out;
-    }
-    FloquetMode mode(std::int32_t number, std::int32_t node) const
-    {
-        std::size_t steps = 0;
-        detail::check(pdn_stability_times(get(), nullptr, 0, &steps));
-        FloquetMode out{Series<6>(steps), Series<6>(steps)};
-        detail::check(pdn_stability_shape(get(), number, node, steps, detail::flat(out.real),
-                                          detail::flat(out.imaginary)));
-        return out;
-    }
-    std::string report() const
-    {
-        outcome(); // throws if there is nothing to report
-        return detail::text([&](char *buffer, std::size_t capacity) {
-            return pdn_stability_report(get(), buffer, capacity);
-        });
-    }
-
-  private:
-    std::unique_ptr<pdn_stability, detail::Free> handle_;
-};
-
-inline std::vector<std::complex<double>>
-Sensitivities::of_multiplier(const Solution &solution, const Stability &stability,
-                             std::int32_t number, const Conditions *conditions,
-                             const SensitivityOptions &options) const
-{
-    std::vector<double> re(parameters_), im(parameters_);
-    detail::check(pdn_solution_multiplier_sensitivities(
-        solution.get(), get(), stability.get(), number, conditions ? conditions->get() : nullptr,
-        &options, re.data(), im.data(), parameters_));
-    std::vector<std::complex<double>> derivatives;
-    for (std::size_t i = 0; i < parameters_; ++i) {
-        derivatives.emplace_back(re[i], im[i]);
-    }
-    return derivatives;
-}
-
-/** Finds what small disturbances of a periodic solution are multiplied by in a period. */
-inline Stability solve_stability(const Solution &solution, const StabilityOptions &options = {})
-{
-    pdn_stability_options plain = options;
-    detail::Watch watch(options.progress, plain);
-    auto handle = detail::make<pdn_stability>(
-        [&](pdn_stability **out) { return pdn_solve_stability(solution.get(), &plain, out); });
-    watch.rethrow();
-    return Stability(handle.release());
-}
-
-/** Options of solve_modes, with the fields of ::pdn_modes_options and this in place of the pointer.
- */
-struct ModesOptions : pdn_modes_options {
-    ModesOptions()
-    {
-        pdn_modes_options_init(this, sizeof(pdn_modes_options));
-    }
-    /** The equilibrium, and who is told of the iterations. */
-    StaticOptions equilibrium;
-};
-
-/** Shape of a mode: displacement and rotation of each node, along its own axes. */
-struct Shape {
-    Series<6> real, imaginary;
-};
-
-/** Natural modes and damped eigenvalues about an equilibrium, counted from 0. */
-class Modes
-{
-  public:
-    /** Takes over a handle of periodyn.h; keeps the functions of signals that it may call. */
-    explicit Modes(pdn_modes *handle, detail::Kept kept = {})
-        : kept_(std::move(kept)), handle_(handle)
-    {
-    }
-    /** The handle, for functions of periodyn.h; NULL if moved from. */
-    const pdn_modes *get() const noexcept
-    {
-        return handle_.get();
-    }
-    /** Of the equilibrium; unless it converged there are no modes. */
-    Outcome outcome() const
-    {
-        const std::int32_t outcome = pdn_modes_outcome(get());
-        detail::check(outcome);
-        return static_cast<Outcome>(outcome);
-    }
+    /** Whether it converged. */
     bool converged() const
     {
         return outcome() == Outcome::converged;
     }
+    /** What the multipliers say. */
+    StabilityVerdict verdict() const
+    {
+        std::int32_t verdict = 0;
+        double frequency_limit = 0;
+        detail::check(pdn_stability_verdict(get(), &verdict, &frequency_limit));
+        return {static_cast<Verdict>(verdict), frequency_limit};
+    }
+    /** Number of multipliers that are known, and of those that the system has, one for each
+     * state. */
+    StabilityCount count() const
+    {
+        std::size_t out = 0;
+        std::size_t states = 0;
+        detail::check(pdn_stability_count(get(), &out, &states));
+        return {out, states};
+    }
+    /** A multiplier. */
+    pdn_multiplier multiplier(std::int32_t number) const
+    {
+        pdn_multiplier out = detail::initialised(pdn_multiplier_init);
+        detail::check(pdn_stability_get(get(), number, &out));
+        return out;
+    }
+    /** Times of the shapes of modes: ends of equal steps over the period, the last is the
+     * period. */
+    std::vector<double> times() const
+    {
+        std::size_t count = 0;
+        detail::check(pdn_stability_times(get(), nullptr, 0, &count));
+        std::vector<double> times(count);
+        detail::check(pdn_stability_times(get(), times.data(), count, nullptr));
+        return times;
+    }
+    /** The mode phi of a multiplier at a node over the period. */
+    StabilityShape shape(std::int32_t number, std::int32_t node) const
+    {
+        const std::size_t steps = times().size();
+        Series<6> real(steps);
+        Series<6> imaginary(steps);
+        detail::check(pdn_stability_shape(get(), number, node, steps, detail::flat(real),
+            detail::flat(imaginary)));
+        return {std::move(real), std::move(imaginary)};
+    }
+    /** A readable report: the verdict, how far it holds, and a table of the multipliers. */
     std::string report() const
     {
-        outcome(); // throws if there is nothing to report
-        return detail::text([&](char *buffer, std::size_t capacity) {
+        return text_of("stability", [&](char *buffer, std::size_t capacity) {
+            return pdn_stability_report(get(), buffer, capacity);
+        });
+    }
+};
+
+/** What model_mass gives. */
+struct ModelMass {
+    /** Total mass of bodies, masses and beams [mass]. */
+    double mass;
+    /** Centre of mass, global coordinates [length]. */
+    Vector3 centre;
+};
+
+/** What model_turning_frame gives. */
+struct ModelTurningFrame {
+    /** Direction of the axis, of length 1. */
+    Vector3 axis;
+    /** Angle in a unit of time \[rad/time\]. */
+    double rate;
+    /** A point of the axis \[length\]. */
+    Vector3 point;
+};
+
+/** What model_rotor_symmetry gives. */
+struct ModelRotorSymmetry {
+    /** Direction of the axis, of length 1. */
+    Vector3 axis;
+    /** A point of the axis \[length\]. */
+    Vector3 point;
+    /** Number of blades. */
+    std::int32_t blades;
+    /** Number of nodes of each, for ::pdn_model_rotor_node. */
+    std::int32_t nodes_of_blade;
+    /** Number of nodes of the hub. */
+    std::int32_t hub_nodes;
+};
+
+/** What model_add_rigid_joints gives. */
+struct ModelRigidJoints {
+    /** Id of the first of the joints, which follow each other in the order of the nodes. */
+    std::int32_t first_joint;
+    /** Number of joints. */
+    std::int32_t joints;
+};
+
+/** What model_add_rigid_edge gives. */
+struct ModelRigidEdge {
+    /** Id of the first of the joints, which follow each other in the order of the nodes along u or
+     * v. */
+    std::int32_t first_joint;
+    /** Number of joints. */
+    std::int32_t joints;
+};
+
+/** What model_controller_counts gives. */
+struct ModelControllerCounts {
+    /** Number of coordinates that it reads. */
+    std::int32_t input_count;
+    /** Number of coordinates that it acts on. */
+    std::int32_t output_count;
+    /** Number of its states. */
+    std::int32_t state_count;
+};
+
+/** What model_controller_coordinate gives. */
+struct ModelControllerCoordinate {
+    /** Id of its joint. */
+    std::int32_t joint;
+    /** The coordinate: PDN_DISPLACEMENT,. */
+    Coordinate coordinate;
+};
+
+/** What model_controller_state gives. */
+struct ModelControllerState {
+    /** Its value where a march begins. */
+    double initial;
+    /** What it is of the order of. */
+    double size;
+};
+
+/** What model_parameter gives. */
+struct ModelParameter {
+    /** Its value. */
+    double value;
+    /** What counts as 1 in it. */
+    double scale;
+};
+
+/** What model_beam_section gives. */
+struct ModelBeamSection {
+    /** The section, in its own axes. */
+    pdn_section section;
+    /** Angle by which its axes are turned about axis 1 from those between the nodes [radian]. */
+    double twist;
+};
+
+/** What model_inertia gives. */
+struct ModelInertia {
+    /** The node's id. */
+    std::int32_t node;
+    /** 6 x 6 inertia about the node, along its axes, as in ::pdn_model_add_inertia. */
+    Matrix6 matrix;
+};
+
+/** What model_prescribed gives. */
+struct ModelPrescribed {
+    /** Id of its joint. */
+    std::int32_t joint;
+    /** PDN_DISPLACEMENT,. */
+    Coordinate coordinate;
+};
+
+/** What model_relation_term gives. */
+struct ModelRelationTerm {
+    /** Id of the joint. */
+    std::int32_t joint;
+    /** PDN_DISPLACEMENT,. */
+    Coordinate coordinate;
+    /** The coefficient. */
+    double coefficient;
+};
+
+/** What model_load_at gives. */
+struct ModelLoadAt {
+    /** The node's id. */
+    std::int32_t node;
+    /** PDN_FRAME_SPACE or PDN_FRAME_MATERIAL. */
+    Frame frame;
+};
+
+/** What model_beam_load gives. */
+struct ModelBeamLoad {
+    /** Id of the first beam element. */
+    std::int32_t first_element;
+    /** Number of elements, from the first on. */
+    std::int32_t elements;
+    /** PDN_FRAME_SPACE, PDN_FRAME_MATERIAL or PDN_FRAME_UNTWISTED. */
+    Frame frame;
+    /** Direction that was given with PDN_FRAME_UNTWISTED, else zero. */
+    Vector3 axis_2;
+    /** Number of places with factors, 0 for a factor of 1 all along. */
+    std::int32_t places;
+};
+
+/** What model_beam_load_factor gives. */
+struct ModelBeamLoadFactor {
+    /** The place, as a fraction of the reference length of its elements. */
+    double fraction;
+    /** The factor there. */
+    double factor;
+};
+
+/** What model_shell_load gives. */
+struct ModelShellLoad {
+    /** Id of the first shell element. */
+    std::int32_t first_element;
+    /** Number of elements, from the first on. */
+    std::int32_t elements;
+    /** PDN_SHELL_SURFACE or an edge, of each of them. */
+    ShellPlace place;
+    /** PDN_FRAME_SPACE or PDN_FRAME_MATERIAL. */
+    Frame frame;
+};
+
+/** A mechanism. */
+class Model : public detail::Handle<pdn_model, pdn_model_free>
+{
+  public:
+    using Handle::Handle;
+    /** Makes an empty model. */
+    Model() : Handle(nullptr, {})
+    {
+        pdn_model *model = nullptr;
+        detail::check(pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR));
+        const pdn_status status = pdn_model_new(&model);
+        *this = Model(model, {});
+        detail::check(status);
+    }
+    /** Number of nodes; their ids follow each other from PDN_FIRST_NODE on. */
+    std::int32_t node_count() const
+    {
+        std::int32_t count = 0;
+        detail::check(pdn_model_node_count(get(), &count));
+        return count;
+    }
+    /** Number of joints; their ids follow each other from PDN_FIRST_JOINT on. */
+    std::int32_t joint_count() const
+    {
+        std::int32_t count = 0;
+        detail::check(pdn_model_joint_count(get(), &count));
+        return count;
+    }
+    /** Number of beam elements; their ids follow each other from PDN_FIRST_BEAM_ELEMENT on. */
+    std::int32_t element_count() const
+    {
+        std::int32_t count = 0;
+        detail::check(pdn_model_element_count(get(), &count));
+        return count;
+    }
+    /** Total mass and centre of mass in the reference configuration. */
+    ModelMass mass() const
+    {
+        double mass = 0;
+        Vector3 centre{};
+        detail::check(pdn_model_mass(get(), &mass, centre.data()));
+        return {mass, centre};
+    }
+    /** Frame of a node in the reference configuration. */
+    pdn_frame node_frame(std::int32_t node) const
+    {
+        pdn_frame frame{};
+        detail::check(pdn_model_node_frame(get(), node, &frame));
+        return frame;
+    }
+    /** Adds a node: a frame that moves. */
+    std::int32_t add_node(const Vector3 &position, const std::optional<Matrix3> &rotation = {})
+    {
+        std::int32_t node = 0;
+        detail::check(pdn_model_add_node(get(), detail::in(position), detail::in(rotation), &node));
+        return node;
+    }
+    /** Adds a rigid body: a node at its centre of mass, with axes parallel to the global ones. */
+    std::int32_t add_rigid_body(double mass, const Vector3 &centre, const Matrix3 &inertia)
+    {
+        std::int32_t node = 0;
+        detail::check(pdn_model_add_rigid_body(get(), mass, detail::in(centre),
+            detail::in(inertia), &node));
+        return node;
+    }
+    /** Fixes a mass to a node, in addition to what the node has. */
+    std::int32_t add_mass(std::int32_t node, double mass, const Vector3 &centre,
+        const std::optional<Matrix3> &inertia = {})
+    {
+        std::int32_t id = 0;
+        detail::check(pdn_model_add_mass(get(), node, mass, detail::in(centre),
+            detail::in(inertia), &id));
+        return id;
+    }
+    /** Fixes an inertia of any kind to a node, in addition to what the node has. */
+    std::int32_t add_inertia(std::int32_t node, const Matrix6 &matrix,
+        const std::optional<pdn_frame> &frame = {})
+    {
+        std::int32_t id = 0;
+        detail::check(pdn_model_add_inertia(get(), node, frame ? &*frame : nullptr,
+            detail::in(matrix), &id));
+        return id;
+    }
+    /** Makes a joint coordinate follow a signal. */
+    std::int32_t prescribe(std::int32_t joint, Coordinate coordinate, const Signal &signal)
+    {
+        std::int32_t prescribed = 0;
+        take([&] {
+            return pdn_model_prescribe(get(), joint, detail::in(coordinate), &signal, &prescribed);
+        }, signal);
+        return prescribed;
+    }
+    /** Fixes two bodies to each other. */
+    std::int32_t add_rigid_joint(std::int32_t first, std::int32_t second, const Vector3 &point)
+    {
+        std::int32_t joint = 0;
+        detail::check(pdn_model_add_rigid_joint(get(), first, second, detail::in(point), &joint));
+        return joint;
+    }
+    /** Joins two bodies by a hinge. */
+    std::int32_t add_revolute(std::int32_t first, std::int32_t second, const Vector3 &point,
+        const Vector3 &axis)
+    {
+        std::int32_t joint = 0;
+        detail::check(pdn_model_add_revolute(get(), first, second, detail::in(point),
+            detail::in(axis), &joint));
+        return joint;
+    }
+    /** Joins two bodies by a slider. */
+    std::int32_t add_prismatic(std::int32_t first, std::int32_t second, const Vector3 &point,
+        const Vector3 &axis)
+    {
+        std::int32_t joint = 0;
+        detail::check(pdn_model_add_prismatic(get(), first, second, detail::in(point),
+            detail::in(axis), &joint));
+        return joint;
+    }
+    /** Joins two bodies by a shaft in a sleeve: one slides along the axis and turns about it. */
+    std::int32_t add_cylindrical(std::int32_t first, std::int32_t second, const Vector3 &point,
+        const Vector3 &axis)
+    {
+        std::int32_t joint = 0;
+        detail::check(pdn_model_add_cylindrical(get(), first, second, detail::in(point),
+            detail::in(axis), &joint));
+        return joint;
+    }
+    /** Joins two bodies by a screw: the second advances along the axis as it turns about it. */
+    std::int32_t add_screw(std::int32_t first, std::int32_t second, const Vector3 &point,
+        const Vector3 &axis, double pitch)
+    {
+        std::int32_t joint = 0;
+        detail::check(pdn_model_add_screw(get(), first, second, detail::in(point),
+            detail::in(axis), pitch, &joint));
+        return joint;
+    }
+    /** Joins two bodies by a pair of planes that slide and turn on each other. */
+    std::int32_t add_planar(std::int32_t first, std::int32_t second, const Vector3 &point,
+        const Vector3 &normal)
+    {
+        std::int32_t joint = 0;
+        detail::check(pdn_model_add_planar(get(), first, second, detail::in(point),
+            detail::in(normal), &joint));
+        return joint;
+    }
+    /** Joins two bodies by nothing: a joint that constrains no motion, but has coordinates. */
+    std::int32_t add_free_joint(std::int32_t first, std::int32_t second, const Vector3 &point)
+    {
+        std::int32_t joint = 0;
+        detail::check(pdn_model_add_free_joint(get(), first, second, detail::in(point), &joint));
+        return joint;
+    }
+    /** Joins two bodies by a ball. */
+    std::int32_t add_spherical(std::int32_t first, std::int32_t second, const Vector3 &point)
+    {
+        std::int32_t joint = 0;
+        detail::check(pdn_model_add_spherical(get(), first, second, detail::in(point), &joint));
+        return joint;
+    }
+    /** Joins two bodies by a cross (Cardan, Hooke). */
+    std::int32_t add_universal(std::int32_t first, std::int32_t second, const Vector3 &point,
+        const Vector3 &first_arm, const Vector3 &second_arm)
+    {
+        std::int32_t joint = 0;
+        detail::check(pdn_model_add_universal(get(), first, second, detail::in(point),
+            detail::in(first_arm), detail::in(second_arm), &joint));
+        return joint;
+    }
+    /** Adds a strut: the line between a point of each of two bodies. */
+    std::int32_t add_strut(std::int32_t first, std::int32_t second, const Vector3 &first_point,
+        const Vector3 &second_point)
+    {
+        std::int32_t joint = 0;
+        detail::check(pdn_model_add_strut(get(), first, second, detail::in(first_point),
+            detail::in(second_point), &joint));
+        return joint;
+    }
+    /** Joins two bodies by a joint of any kind, between a frame fixed to each. */
+    std::int32_t add_joint(JointKind kind, std::int32_t first, std::int32_t second,
+        const pdn_frame &first_frame, const pdn_frame &second_frame)
+    {
+        std::int32_t joint = 0;
+        detail::check(pdn_model_add_joint(get(), detail::in(kind), first, second, &first_frame,
+            &second_frame, &joint));
+        return joint;
+    }
+    /** Joins two bodies by a screw, between a frame fixed to each. */
+    std::int32_t add_screw_between(std::int32_t first, std::int32_t second,
+        const pdn_frame &first_frame, const pdn_frame &second_frame, double pitch)
+    {
+        std::int32_t joint = 0;
+        detail::check(pdn_model_add_screw_between(get(), first, second, &first_frame,
+            &second_frame, pitch, &joint));
+        return joint;
+    }
+    /** Number of linear relations between joint coordinates; their ids follow each other from
+     * PDN_FIRST_RELATION on. */
+    std::int32_t relation_count() const
+    {
+        std::int32_t count = 0;
+        detail::check(pdn_model_relation_count(get(), &count));
+        return count;
+    }
+    /** Adds a linear relation between joint coordinates: gears, belts, racks, differentials. */
+    std::int32_t add_relation(const std::vector<std::int32_t> &joints,
+        const std::vector<Coordinate> &coordinates, const std::vector<double> &coefficients,
+        const std::optional<Signal> &signal = {})
+    {
+        const std::size_t count = detail::common({{"joints", joints.size()},
+            {"coordinates", coordinates.size()}, {"coefficients", coefficients.size()}}, false);
+        std::int32_t relation = 0;
+        take([&] {
+            return pdn_model_add_relation(get(), detail::in(joints), detail::in(coordinates),
+                detail::in(coefficients), count, signal ? &*signal : nullptr, &relation);
+        }, signal);
+        return relation;
+    }
+    /** Adds a beam element over nodes that are there; it may be curved and twisted. */
+    std::int32_t add_beam_element(const std::vector<std::int32_t> &nodes, const Section &section)
+    {
+        const std::size_t count = nodes.size();
+        std::int32_t element = 0;
+        detail::check(pdn_model_add_beam_element(get(), detail::in(nodes), count, &section,
+            &element));
+        return element;
+    }
+    /** Adds a straight beam: its nodes and elements. */
+    pdn_beam add_straight_beam(const Vector3 &start, const Vector3 &end, const Vector3 &axis_2,
+        const Section &section, std::size_t elements, std::size_t degree)
+    {
+        pdn_beam beam{};
+        detail::check(pdn_model_add_straight_beam(get(), detail::in(start), detail::in(end),
+            detail::in(axis_2), &section, elements, degree, &beam));
+        return beam;
+    }
+    /** Adds a beam along a line, with sections that may vary: its nodes and elements. */
+    pdn_beam add_beam(const Line &line, Stations stations, std::size_t elements, std::size_t degree)
+    {
+        pdn_beam beam{};
+        detail::check(pdn_model_add_beam(get(), &line, stations.get(), elements, degree, &beam));
+        return beam;
+    }
+    /** Adds a beam along a line as ::pdn_model_add_beam does, with elements between given
+     * places. */
+    pdn_beam add_beam_between(const Line &line, Stations stations,
+        const std::vector<double> &boundaries, std::size_t degree)
+    {
+        const std::size_t elements = boundaries.size() == 0 ? 0 : boundaries.size() - 1;
+        pdn_beam beam{};
+        detail::check(pdn_model_add_beam_between(get(), &line, stations.get(),
+            detail::in(boundaries), elements, degree, &beam));
+        return beam;
+    }
+    /** Adds one component of a force or moment on a node, in addition to those that are there. */
+    std::int32_t add_load(std::int32_t node, Frame frame, Component component, const Signal &signal)
+    {
+        std::int32_t load = 0;
+        take([&] {
+            return pdn_model_add_load(get(), node, detail::in(frame), detail::in(component),
+                &signal, &load);
+        }, signal);
+        return load;
+    }
+    /** Sets the acceleration of gravity, in place of any set before. */
+    void set_gravity(const Vector3 &acceleration)
+    {
+        detail::check(pdn_model_set_gravity(get(), detail::in(acceleration)));
+    }
+    /** Sets an acceleration of gravity that varies in time, in place of any set before. */
+    void set_gravity_signals(const std::optional<Signal> &acceleration_1 = {},
+        const std::optional<Signal> &acceleration_2 = {},
+        const std::optional<Signal> &acceleration_3 = {})
+    {
+        take([&] {
+            return pdn_model_set_gravity_signals(get(),
+                acceleration_1 ? &*acceleration_1 : nullptr,
+                acceleration_2 ? &*acceleration_2 : nullptr,
+                acceleration_3 ? &*acceleration_3 : nullptr);
+        }, acceleration_1, acceleration_2, acceleration_3);
+    }
+    /** Adds one component of a force or moment distributed along beam elements, in addition to
+     * those that are there. */
+    std::int32_t add_distributed_load(std::int32_t first_element, std::int32_t elements,
+        Frame frame, Component component, const Signal &signal,
+        const std::vector<double> &fractions = {}, const std::vector<double> &factors = {})
+    {
+        const std::size_t count = detail::common({{"fractions", fractions.size()},
+            {"factors", factors.size()}}, true);
+        std::int32_t load = 0;
+        take([&] {
+            return pdn_model_add_distributed_load(get(), first_element, elements,
+                detail::in(frame), detail::in(component), &signal, detail::in_or_null(fractions),
+                detail::in_or_null(factors), count, &load);
+        }, signal);
+        return load;
+    }
+    /** Adds a force and moment distributed along beam elements, all components at all places at
+     * once, in addition to those that are there: such as the air loads of a blade, at the places
+     * where these are computed. */
+    std::int32_t add_load_at_places(std::int32_t first_element, std::int32_t elements, Frame frame,
+        const std::vector<double> &fractions, const std::vector<std::array<Signal, 6>> &signals,
+        const std::optional<Vector3> &axis_2 = {})
+    {
+        const std::size_t count = detail::common({{"fractions", fractions.size()},
+            {"signals", signals.size()}}, false);
+        std::int32_t first_load_ = 0;
+        take([&] {
+            return pdn_model_add_load_at_places(get(), first_element, elements, detail::in(frame),
+                detail::in(axis_2), detail::in(fractions), detail::in(signals), count,
+                &first_load_);
+        }, signals);
+        return first_load_;
+    }
+    /** Describes everything in a frame that turns about a fixed axis at a constant rate, in place
+     * of any set before: motions that repeat themselves but for a turn in each period are periodic
+     * there. */
+    void set_turning_frame(const Vector3 &axis, double rate,
+        const std::optional<Vector3> &point = {})
+    {
+        detail::check(pdn_model_set_turning_frame(get(), detail::in(axis), rate,
+            detail::in(point)));
+    }
+    /** The frame that a model is described in, if it turns. */
+    ModelTurningFrame turning_frame() const
+    {
+        Vector3 axis{};
+        double rate = 0;
+        Vector3 point{};
+        detail::check(pdn_model_turning_frame(get(), axis.data(), &rate, point.data()));
+        return {axis, rate, point};
+    }
+    /** Says that the blades of a rotor are alike, in place of what was said before: periodic
+     * solves, also under conditions, then solve for one blade, the hub and the supports, and the
+     * others follow. */
+    void set_rotor_symmetry(const Vector3 &axis, std::int32_t blades,
+        const std::vector<std::int32_t> &nodes, const std::vector<std::int32_t> &hub,
+        const std::optional<Vector3> &point = {})
+    {
+        const std::size_t count = nodes.size();
+        const std::size_t hub_count = hub.size();
+        detail::check(pdn_model_set_rotor_symmetry(get(), detail::in(axis), blades,
+            detail::in(nodes), count, detail::in(hub), hub_count, detail::in(point)));
+    }
+    /** The rotor whose blades were said to be alike. */
+    ModelRotorSymmetry rotor_symmetry() const
+    {
+        Vector3 axis{};
+        Vector3 point{};
+        std::int32_t blades = 0;
+        std::int32_t nodes_of_blade = 0;
+        std::int32_t hub_nodes = 0;
+        detail::check(pdn_model_rotor_symmetry(get(), axis.data(), point.data(), &blades,
+            &nodes_of_blade, &hub_nodes));
+        return {axis, point, blades, nodes_of_blade, hub_nodes};
+    }
+    /** A node of a rotor whose blades were said to be alike. */
+    std::int32_t rotor_node(std::int32_t blade, std::int32_t index) const
+    {
+        std::int32_t node = 0;
+        detail::check(pdn_model_rotor_node(get(), blade, index, &node));
+        return node;
+    }
+    /** Adds a shell element over a grid of nodes that are there. */
+    std::int32_t add_shell_element(const std::vector<std::int32_t> &nodes, std::size_t n_xi,
+        const ShellSection &section, ShellPlacement placement = {})
+    {
+        const std::size_t count = nodes.size();
+        std::int32_t element = 0;
+        detail::check(pdn_model_add_shell_element(get(), detail::in(nodes), count, n_xi, &section,
+            placement.get(), &element));
+        return element;
+    }
+    /** Adds a shell over a surface, with elements in equal parts of u and v: its nodes and
+     * elements. */
+    pdn_shell add_shell(const Surface &surface, std::size_t elements_u, std::size_t elements_v,
+        std::size_t degree_u, std::size_t degree_v, const ShellSection &section, bool join = true,
+        ShellPlacement placement = {})
+    {
+        pdn_shell shell{};
+        detail::check(pdn_model_add_shell(get(), &surface, elements_u, elements_v, degree_u,
+            degree_v, detail::in(join), &section, placement.get(), &shell));
+        return shell;
+    }
+    /** Adds a shell over given positions of its nodes, as ::pdn_model_add_shell does over a
+     * surface. */
+    pdn_shell add_shell_grid(const Series<3> &points, std::size_t elements_u,
+        std::size_t elements_v, std::size_t degree_u, std::size_t degree_v,
+        const ShellSection &section, bool join = true, ShellPlacement placement = {})
+    {
+        const std::size_t count = points.size();
+        pdn_shell shell{};
+        detail::check(pdn_model_add_shell_grid(get(), detail::in(points), count, elements_u,
+            elements_v, degree_u, degree_v, detail::in(join), &section, placement.get(), &shell));
+        return shell;
+    }
+    /** Adds a shell element for each cell of a mesh of quadrilaterals, as mesh generators make
+     * them. */
+    std::int32_t add_shell_quadrilaterals(const Series<3> &points,
+        const std::vector<std::int32_t> &cells, std::size_t points_of_cell, std::size_t degree,
+        const ShellSection &section, ShellPlacement placement = {})
+    {
+        const std::size_t point_count = points.size();
+        const std::size_t count = cells.size();
+        std::int32_t first_element = 0;
+        detail::check(pdn_model_add_shell_quadrilaterals(get(), detail::in(points), point_count,
+            detail::in(cells), count, points_of_cell, degree, &section, placement.get(),
+            &first_element));
+        return first_element;
+    }
+    /** Node of a shell over a surface or a grid. */
+    std::int32_t shell_patch_node(const pdn_shell &shell, std::int32_t u, std::int32_t v) const
+    {
+        std::int32_t node = 0;
+        detail::check(pdn_model_shell_patch_node(get(), &shell, u, v, &node));
+        return node;
+    }
+    /** Number of shell elements; their ids follow each other from PDN_FIRST_SHELL_ELEMENT on. */
+    std::int32_t shell_element_count() const
+    {
+        std::int32_t count = 0;
+        detail::check(pdn_model_shell_element_count(get(), &count));
+        return count;
+    }
+    /** Node of a shell element. */
+    std::int32_t shell_node(std::int32_t element, std::int32_t xi, std::int32_t eta) const
+    {
+        std::int32_t node = 0;
+        detail::check(pdn_model_shell_node(get(), element, xi, eta, &node));
+        return node;
+    }
+    /** Adds one component of a force or moment on shell elements, in addition to those that are
+     * there: for each unit of reference area, or of reference length of an edge. */
+    std::int32_t add_shell_load(std::int32_t first_element, std::int32_t elements,
+        ShellPlace place, Frame frame, Component component, const Signal &signal)
+    {
+        std::int32_t load = 0;
+        take([&] {
+            return pdn_model_add_shell_load(get(), first_element, elements, detail::in(place),
+                detail::in(frame), detail::in(component), &signal, &load);
+        }, signal);
+        return load;
+    }
+    /** Gives shell elements forces and moments where nothing is strained: initial stress, in place
+     * of any before. */
+    void set_shell_prestress(std::int32_t first_element, std::int32_t elements,
+        const std::array<double, 12> &resultants)
+    {
+        detail::check(pdn_model_set_shell_prestress(get(), first_element, elements,
+            detail::in(resultants)));
+    }
+    /** Fixes nodes to a body, by a rigid joint each as ::pdn_model_add_rigid_joint makes: such as
+     * the nodes along an edge of a shell, which then moves as a part of the body. */
+    ModelRigidJoints add_rigid_joints(std::int32_t body, const std::vector<std::int32_t> &nodes)
+    {
+        const std::size_t count = nodes.size();
+        std::int32_t first_joint_ = 0;
+        std::int32_t joints = 0;
+        detail::check(pdn_model_add_rigid_joints(get(), body, detail::in(nodes), count,
+            &first_joint_, &joints));
+        return {first_joint_, joints};
+    }
+    /** Fixes a whole edge of a shell over a surface or a grid to a body:
+     * ::pdn_model_add_rigid_joints with the nodes along it. */
+    ModelRigidEdge add_rigid_edge(std::int32_t body, const pdn_shell &shell, ShellPlace edge)
+    {
+        std::int32_t first_joint_ = 0;
+        std::int32_t joints = 0;
+        detail::check(pdn_model_add_rigid_edge(get(), body, &shell, detail::in(edge),
+            &first_joint_, &joints));
+        return {first_joint_, joints};
+    }
+    /** Number of forces: springs, dampers, actuators and the like, but not loads; their ids follow
+     * each other from PDN_FIRST_FORCE on. */
+    std::int32_t force_count() const
+    {
+        std::int32_t count = 0;
+        detail::check(pdn_model_force_count(get(), &count));
+        return count;
+    }
+    /** Adds a linear spring with a damper on a joint coordinate, in addition to those that are
+     * there. */
+    std::int32_t add_spring_damper(std::int32_t joint, Coordinate coordinate, double stiffness,
+        double damping = 0.0, double rest = 0.0)
+    {
+        std::int32_t force = 0;
+        detail::check(pdn_model_add_spring_damper(get(), joint, detail::in(coordinate), stiffness,
+            damping, rest, &force));
+        return force;
+    }
+    /** Adds a nonlinear spring with a damper on a joint coordinate: polynomials of the coordinate
+     * and its rate. */
+    std::int32_t add_nonlinear_spring_damper(std::int32_t joint, Coordinate coordinate,
+        const std::vector<double> &stiffness = {}, const std::vector<double> &damping = {},
+        double rest = 0.0)
+    {
+        const std::size_t stiffness_count = stiffness.size();
+        const std::size_t damping_count = damping.size();
+        std::int32_t force = 0;
+        detail::check(pdn_model_add_nonlinear_spring_damper(get(), joint, detail::in(coordinate),
+            detail::in_or_null(stiffness), stiffness_count, detail::in_or_null(damping),
+            damping_count, rest, &force));
+        return force;
+    }
+    /** Adds an actuator: a force on a displacement, or a torque on an angle, that follows a
+     * signal. */
+    std::int32_t add_actuator(std::int32_t joint, Coordinate coordinate, const Signal &signal)
+    {
+        std::int32_t force = 0;
+        take([&] {
+            return pdn_model_add_actuator(get(), joint, detail::in(coordinate), &signal, &force);
+        }, signal);
+        return force;
+    }
+    /** Adds a viscoelastic element on a joint coordinate: a generalised Maxwell model. */
+    std::int32_t add_viscoelastic(std::int32_t joint, Coordinate coordinate, double stiffness,
+        double rest, const std::vector<double> &branch_stiffness,
+        const std::vector<double> &relaxation_times)
+    {
+        const std::size_t branches = detail::common({{"branch_stiffness", branch_stiffness.size()},
+            {"relaxation_times", relaxation_times.size()}}, false);
+        std::int32_t force = 0;
+        detail::check(pdn_model_add_viscoelastic(get(), joint, detail::in(coordinate), stiffness,
+            rest, detail::in(branch_stiffness), detail::in(relaxation_times), branches, &force));
+        return force;
+    }
+    /** Adds a viscous damper between two bodies, with a full matrix of coefficients. */
+    std::int32_t add_viscous_damper(std::int32_t first, std::int32_t second, const Matrix6 &matrix,
+        const std::optional<pdn_frame> &frame = {})
+    {
+        std::int32_t force = 0;
+        detail::check(pdn_model_add_viscous_damper(get(), first, second, frame ? &*frame : nullptr,
+            detail::in(matrix), &force));
+        return force;
+    }
+    /** Adds a bushing, a bearing or a seal: any matrices of stiffness and damping between two
+     * frames, unsymmetric ones included. */
+    std::int32_t add_bushing(std::int32_t first, std::int32_t second, const pdn_frame &first_frame,
+        const pdn_frame &second_frame, const Matrix6 &stiffness, const Matrix6 &damping,
+        BushingAngles angles)
+    {
+        std::int32_t force = 0;
+        detail::check(pdn_model_add_bushing(get(), first, second, &first_frame, &second_frame,
+            detail::in(stiffness), detail::in(damping), detail::in(angles), &force));
+        return force;
+    }
+    /** Adds a spring-damper on a joint coordinate whose law is a function of the caller. */
+    template <class Function>
+    std::int32_t add_coordinate_law(std::int32_t joint, Coordinate coordinate, Function function)
+    {
+        std::int32_t force = 0;
+        detail::hand_over(std::move(function), [&](void *owned, pdn_destroy_fn destroy) {
+            return pdn_model_add_coordinate_law(get(), joint, detail::in(coordinate),
+                detail::in(detail::tangents_of<Function>), &detail::coordinate_law_fn<Function>,
+                owned, destroy, &force);
+        });
+        return force;
+    }
+    /** Adds forces on nodes that a function of the caller computes. */
+    template <class Function>
+    std::int32_t add_user_force(const std::vector<std::int32_t> &nodes, Frame frame,
+        Tangents tangents, Function function)
+    {
+        const std::size_t count = nodes.size();
+        std::int32_t force = 0;
+        detail::hand_over(std::move(function), [&](void *owned, pdn_destroy_fn destroy) {
+            return pdn_model_add_user_force(get(), detail::in(nodes), count, detail::in(frame),
+                detail::in(tangents), &detail::user_force_fn<Function>, owned, destroy, &force);
+        });
+        return force;
+    }
+    /** Compares the tangents that a user's function gives with differences of its forces. */
+    pdn_tangent_check check_tangents(std::int32_t force, double period) const
+    {
+        pdn_tangent_check check = detail::initialised(pdn_tangent_check_init);
+        detail::check(pdn_model_check_tangents(get(), force, period, &check));
+        return check;
+    }
+    /** Adds a controller: efforts on joint coordinates by a function of the caller that reads any
+     * joint coordinates and their rates, and may have states of its own. */
+    template <class Function>
+    std::int32_t add_controller(const std::vector<std::int32_t> &input_joints,
+        const std::vector<Coordinate> &input_coordinates,
+        const std::vector<std::int32_t> &output_joints,
+        const std::vector<Coordinate> &output_coordinates, const std::vector<double> &initial,
+        const std::vector<double> &sizes, Tangents tangents, Function function)
+    {
+        const std::size_t input_count = detail::common({{"input_joints", input_joints.size()},
+            {"input_coordinates", input_coordinates.size()}}, true);
+        const std::size_t output_count = detail::common({{"output_joints", output_joints.size()},
+            {"output_coordinates", output_coordinates.size()}}, false);
+        const std::size_t state_count = detail::common({{"initial", initial.size()},
+            {"sizes", sizes.size()}}, true);
+        std::int32_t force = 0;
+        detail::hand_over(std::move(function), [&](void *owned, pdn_destroy_fn destroy) {
+            return pdn_model_add_controller(get(), detail::in_or_null(input_joints),
+                detail::in(input_coordinates), input_count, detail::in(output_joints),
+                detail::in(output_coordinates), output_count, detail::in_or_null(initial),
+                detail::in_or_null(sizes), state_count, detail::in(tangents),
+                &detail::controller_fn<Function>, owned, destroy, &force);
+        });
+        return force;
+    }
+    /** Numbers of the coordinates that a controller reads, of those that it acts on, and of its
+     * states. */
+    ModelControllerCounts controller_counts(std::int32_t force) const
+    {
+        std::int32_t input_count = 0;
+        std::int32_t output_count = 0;
+        std::int32_t state_count = 0;
+        detail::check(pdn_model_controller_counts(get(), force, &input_count, &output_count,
+            &state_count));
+        return {input_count, output_count, state_count};
+    }
+    /** A coordinate that a controller reads or acts on. */
+    ModelControllerCoordinate controller_coordinate(std::int32_t force, std::int32_t index) const
+    {
+        std::int32_t joint = 0;
+        std::int32_t coordinate = 0;
+        detail::check(pdn_model_controller_coordinate(get(), force, index, &joint, &coordinate));
+        return {joint, static_cast<Coordinate>(coordinate)};
+    }
+    /** A state of a controller. */
+    ModelControllerState controller_state(std::int32_t force, std::int32_t index) const
+    {
+        double initial = 0;
+        double size = 0;
+        detail::check(pdn_model_controller_state(get(), force, index, &initial, &size));
+        return {initial, size};
+    }
+    /** Adds forces on shell elements that a function of the caller computes at the points of a
+     * quadrature: a force, with an id of its own, for each element. */
+    template <class Function>
+    std::int32_t add_surface_force(std::int32_t first_element, std::int32_t elements,
+        ShellPlace place, Frame frame, Tangents tangents, Function function)
+    {
+        std::int32_t first_force_ = 0;
+        detail::hand_over(std::move(function), [&](void *owned, pdn_destroy_fn destroy) {
+            return pdn_model_add_surface_force(get(), first_element, elements, detail::in(place),
+                detail::in(frame), detail::in(tangents), &detail::surface_force_fn<Function>,
+                owned, destroy, &first_force_);
+        });
+        return first_force_;
+    }
+    /** Gives a controller its function, or another one: that of a model from a file is not
+     * there. */
+    template <class Function>
+    void bind_controller(std::int32_t force, Tangents tangents, Function function)
+    {
+        detail::hand_over(std::move(function), [&](void *owned, pdn_destroy_fn destroy) {
+            return pdn_model_bind_controller(get(), force, detail::in(tangents),
+                &detail::controller_fn<Function>, owned, destroy);
+        });
+    }
+    /** Gives a coordinate law its function, or another one: that of a model from a file is not
+     * there. */
+    template <class Function>
+    void bind_coordinate_law(std::int32_t force, Tangents tangents, Function function)
+    {
+        detail::hand_over(std::move(function), [&](void *owned, pdn_destroy_fn destroy) {
+            return pdn_model_bind_coordinate_law(get(), force, detail::in(tangents),
+                &detail::coordinate_law_fn<Function>, owned, destroy);
+        });
+    }
+    /** Gives forces on nodes their function, or another one: that of a model from a file is not
+     * there. */
+    template <class Function>
+    void bind_user_force(std::int32_t force, Frame frame, Tangents tangents, Function function)
+    {
+        detail::hand_over(std::move(function), [&](void *owned, pdn_destroy_fn destroy) {
+            return pdn_model_bind_user_force(get(), force, detail::in(frame), detail::in(tangents),
+                &detail::user_force_fn<Function>, owned, destroy);
+        });
+    }
+    /** Gives forces on shell elements their function, or another one: that of a model from a file
+     * is not there. */
+    template <class Function>
+    void bind_surface_force(std::int32_t first_force_, std::int32_t forces, Frame frame,
+        Tangents tangents, Function function)
+    {
+        detail::hand_over(std::move(function), [&](void *owned, pdn_destroy_fn destroy) {
+            return pdn_model_bind_surface_force(get(), first_force_, forces, detail::in(frame),
+                detail::in(tangents), &detail::surface_force_fn<Function>, owned, destroy);
+        });
+    }
+    /** Gives what follows a signal another one: a load, an actuator, a prescribed coordinate. */
+    void set_signal(SignalOf place, std::int32_t id, std::int32_t component, const Signal &signal)
+    {
+        take([&] {
+            return pdn_model_set_signal(get(), detail::in(place), id, component, &signal);
+        }, signal);
+    }
+    /** Gives a force other numbers of a sort, as many as it has: those that
+     * ::pdn_model_force_number tells. */
+    void set_force_numbers(std::int32_t force, Number number, const std::vector<double> &values)
+    {
+        const std::size_t count = values.size();
+        detail::check(pdn_model_set_force_numbers(get(), force, detail::in(number),
+            detail::in(values), count));
+    }
+    /** Gives beam elements another section, the same all along them; their twist stays, and so do
+     * the factors of parameters. */
+    void set_beam_section(std::int32_t first_element, std::int32_t elements, const Section &section)
+    {
+        detail::check(pdn_model_set_beam_section(get(), first_element, elements, &section));
+    }
+    /** Gives a node, joint, element, force, load or the like a label, in place of the one that it
+     * has. */
+    void set_label(ObjectKind kind, std::int32_t id, const std::optional<std::string> &label = {})
+    {
+        detail::check(pdn_model_set_label(get(), detail::in(kind), id, detail::in(label)));
+    }
+    /** The label of a node, joint, element, force, load or the like. */
+    std::string label(ObjectKind kind, std::int32_t id) const
+    {
+        return text_of("model", [&](char *buffer, std::size_t capacity) {
+            return pdn_model_label(get(), detail::in(kind), id, buffer, capacity);
+        });
+    }
+    /** The node, joint, element, force, load or the like that has a label. */
+    std::int32_t find_label(ObjectKind kind, const std::string &label) const
+    {
+        std::int32_t id = 0;
+        detail::check(pdn_model_find_label(get(), detail::in(kind), detail::in(label), &id));
+        return id;
+    }
+    /** Adds a parameter: a named number that moves what ::pdn_model_move_number and
+     * ::pdn_model_move_signal say. */
+    std::int32_t add_parameter(const std::string &name, double value, double scale)
+    {
+        std::int32_t out = 0;
+        detail::check(pdn_model_add_parameter(get(), detail::in(name), value, scale, &out));
+        return out;
+    }
+    /** Number of parameters; their ids follow each other from PDN_FIRST_PARAMETER on. */
+    std::int32_t parameter_count() const
+    {
+        std::int32_t count = 0;
+        detail::check(pdn_model_parameter_count(get(), &count));
+        return count;
+    }
+    /** Value and scale of a parameter. */
+    ModelParameter parameter(std::int32_t parameter) const
+    {
+        double value = 0;
+        double scale = 0;
+        detail::check(pdn_model_parameter(get(), parameter, &value, &scale));
+        return {value, scale};
+    }
+    /** The name of a parameter. */
+    std::string parameter_name(std::int32_t parameter) const
+    {
+        return text_of("model", [&](char *buffer, std::size_t capacity) {
+            return pdn_model_parameter_name(get(), parameter, buffer, capacity);
+        });
+    }
+    /** The parameter that has a name. */
+    std::int32_t find_parameter(const std::string &name) const
+    {
+        std::int32_t parameter = 0;
+        detail::check(pdn_model_find_parameter(get(), detail::in(name), &parameter));
+        return parameter;
+    }
+    /** Lets a parameter move a number of the model: it becomes `factor` times the parameter's
+     * value, now and whenever that changes. */
+    void move_number(std::int32_t parameter, Number number, std::int32_t id, std::int32_t power,
+        double factor)
+    {
+        detail::check(pdn_model_move_number(get(), parameter, detail::in(number), id, power,
+            factor));
+    }
+    /** Lets a parameter move a part of a signal: it becomes `factor` times the parameter's value,
+     * now and whenever that changes. */
+    void move_signal(std::int32_t parameter, SignalOf place, std::int32_t id,
+        std::int32_t component, SignalPart part, double factor)
+    {
+        detail::check(pdn_model_move_signal(get(), parameter, detail::in(place), id, component,
+            detail::in(part), factor));
+    }
+    /** Gives a parameter another value, and all that it moves. */
+    void set_parameter(std::int32_t parameter, double value)
+    {
+        detail::check(pdn_model_set_parameter(get(), parameter, value));
+    }
+    /** Gives everything with mass a force against its motion relative to the inertial frame,
+     * `factor` times its momentum: damping in proportion to mass. */
+    void set_mass_damping(double factor)
+    {
+        detail::check(pdn_model_set_mass_damping(get(), factor));
+    }
+    /** Declares that the function of a force is one of the phase, 2 pi t / T, which it is then told
+     * in place of the time: it holds for any period T, as it must where that is unknown. */
+    void declare_of_phase(std::int32_t force)
+    {
+        detail::check(pdn_model_declare_of_phase(get(), force));
+    }
+    /** Kind, bodies and frames of a joint. */
+    pdn_joint_info joint(std::int32_t joint) const
+    {
+        pdn_joint_info out = detail::initialised(pdn_joint_info_init);
+        detail::check(pdn_model_joint(get(), joint, &out));
+        return out;
+    }
+    /** Kind of a force, where it acts, and how many numbers it has. */
+    pdn_force_info force(std::int32_t force) const
+    {
+        pdn_force_info out = detail::initialised(pdn_force_info_init);
+        detail::check(pdn_model_force(get(), force, &out));
+        return out;
+    }
+    /** A number of a force, with the factors of parameters. */
+    double force_number(std::int32_t force, Number number, std::int32_t index) const
+    {
+        double out = 0;
+        detail::check(pdn_model_force_number(get(), force, detail::in(number), index, &out));
+        return out;
+    }
+    /** A node of forces of the user. */
+    std::int32_t force_node(std::int32_t force, std::int32_t index) const
+    {
+        std::int32_t node = 0;
+        detail::check(pdn_model_force_node(get(), force, index, &node));
+        return node;
+    }
+    /** Number of nodes of a beam element. */
+    std::int32_t beam_element_node_count(std::int32_t element) const
+    {
+        std::int32_t count = 0;
+        detail::check(pdn_model_beam_element_node_count(get(), element, &count));
+        return count;
+    }
+    /** A node of a beam element, in order along the beam. */
+    std::int32_t beam_element_node(std::int32_t element, std::int32_t index) const
+    {
+        std::int32_t node = 0;
+        detail::check(pdn_model_beam_element_node(get(), element, index, &node));
+        return node;
+    }
+    /** Cross-section of a beam element at a place, with the factors of parameters. */
+    ModelBeamSection beam_section(std::int32_t element, double station) const
+    {
+        pdn_section out = detail::initialised(pdn_section_init);
+        double twist = 0;
+        detail::check(pdn_model_beam_section(get(), element, station, &out, &twist));
+        return {out, twist};
+    }
+    /** Number of inertias: bodies, masses and inertias on nodes; their ids follow each other from
+     * PDN_FIRST_INERTIA on. */
+    std::int32_t inertia_count() const
+    {
+        std::int32_t count = 0;
+        detail::check(pdn_model_inertia_count(get(), &count));
+        return count;
+    }
+    /** The inertia of a body, or a mass or inertia on a node, with the factors of parameters. */
+    ModelInertia inertia(std::int32_t inertia) const
+    {
+        std::int32_t node = 0;
+        Matrix6 matrix{};
+        detail::check(pdn_model_inertia(get(), inertia, &node, matrix.data()));
+        return {node, matrix};
+    }
+    /** The inertia of a node: of a rigid body its own, of others the one that was added first. */
+    std::int32_t inertia_of(std::int32_t node) const
+    {
+        std::int32_t inertia = 0;
+        detail::check(pdn_model_inertia_of(get(), node, &inertia));
+        return inertia;
+    }
+    /** A prescribed coordinate; ::pdn_model_summary tells how many there are, whose ids follow each
+     * other from PDN_FIRST_PRESCRIBED on, and ::pdn_model_sample_signal what they follow. */
+    ModelPrescribed prescribed(std::int32_t prescribed) const
+    {
+        std::int32_t joint = 0;
+        std::int32_t coordinate = 0;
+        detail::check(pdn_model_prescribed(get(), prescribed, &joint, &coordinate));
+        return {joint, static_cast<Coordinate>(coordinate)};
+    }
+    /** Number of coordinates of a linear relation. */
+    std::int32_t relation_term_count(std::int32_t relation) const
+    {
+        std::int32_t count = 0;
+        detail::check(pdn_model_relation_term_count(get(), relation, &count));
+        return count;
+    }
+    /** A coordinate of a linear relation, and its coefficient. */
+    ModelRelationTerm relation_term(std::int32_t relation, std::int32_t index) const
+    {
+        std::int32_t joint = 0;
+        std::int32_t coordinate = 0;
+        double coefficient = 0;
+        detail::check(pdn_model_relation_term(get(), relation, index, &joint, &coordinate,
+            &coefficient));
+        return {joint, static_cast<Coordinate>(coordinate), coefficient};
+    }
+    /** Values of a signal of the model in time. */
+    std::vector<double> sample_signal(SignalOf place, std::int32_t id, std::int32_t component,
+        double period, const std::vector<double> &times) const
+    {
+        const std::size_t count = times.size();
+        std::vector<double> values(count);
+        detail::check(pdn_model_sample_signal(get(), detail::in(place), id, component, period,
+            detail::in(times), count, values.data()));
+        return values;
+    }
+    /** Number of loads on nodes; their ids follow each other from PDN_FIRST_LOAD on. */
+    std::int32_t load_count() const
+    {
+        std::int32_t count = 0;
+        detail::check(pdn_model_load_count(get(), &count));
+        return count;
+    }
+    /** A load on a node; its components are signals, ::pdn_model_sample_signal. */
+    ModelLoadAt load_at(std::int32_t load) const
+    {
+        std::int32_t node = 0;
+        std::int32_t frame = 0;
+        detail::check(pdn_model_load_at(get(), load, &node, &frame));
+        return {node, static_cast<Frame>(frame)};
+    }
+    /** Number of loads along beam elements; their ids follow each other from PDN_FIRST_BEAM_LOAD
+     * on. */
+    std::int32_t beam_load_count() const
+    {
+        std::int32_t count = 0;
+        detail::check(pdn_model_beam_load_count(get(), &count));
+        return count;
+    }
+    /** A load along beam elements; its components are signals, ::pdn_model_sample_signal, times the
+     * factors of ::pdn_model_beam_load_factor. */
+    ModelBeamLoad beam_load(std::int32_t load) const
+    {
+        std::int32_t first_element = 0;
+        std::int32_t elements = 0;
+        std::int32_t frame = 0;
+        Vector3 axis_2{};
+        std::int32_t places = 0;
+        detail::check(pdn_model_beam_load(get(), load, &first_element, &elements, &frame,
+            axis_2.data(), &places));
+        return {first_element, elements, static_cast<Frame>(frame), axis_2, places};
+    }
+    /** Factor of a load along beam elements at a place; it is linear in between. */
+    ModelBeamLoadFactor beam_load_factor(std::int32_t load, std::int32_t index) const
+    {
+        double fraction = 0;
+        double factor = 0;
+        detail::check(pdn_model_beam_load_factor(get(), load, index, &fraction, &factor));
+        return {fraction, factor};
+    }
+    /** Number of loads on shell elements; their ids follow each other from PDN_FIRST_SHELL_LOAD
+     * on. */
+    std::int32_t shell_load_count() const
+    {
+        std::int32_t count = 0;
+        detail::check(pdn_model_shell_load_count(get(), &count));
+        return count;
+    }
+    /** A load on shell elements; its components are signals, ::pdn_model_sample_signal. */
+    ModelShellLoad shell_load(std::int32_t load) const
+    {
+        std::int32_t first_element = 0;
+        std::int32_t elements = 0;
+        std::int32_t place = 0;
+        std::int32_t frame = 0;
+        detail::check(pdn_model_shell_load(get(), load, &first_element, &elements, &place, &frame));
+        return {first_element, elements, static_cast<ShellPlace>(place), static_cast<Frame>(frame)};
+    }
+    /** Counts, mass, degrees of freedom and mobility of a model in its reference configuration. */
+    pdn_summary summary() const
+    {
+        pdn_summary out = detail::initialised(pdn_summary_init);
+        detail::check(pdn_model_summary(get(), &out));
+        return out;
+    }
+    /** The same in readable lines, with warnings: parts that nothing connects or holds, ends of
+     * beams without a joint, nodes without inertia, joints open in the reference configuration or
+     * far from all else, impossible moments of inertia, sizes, masses and stiffnesses that do not
+     * fit each other. */
+    std::string describe() const
+    {
+        summary();
+        return text_of("model", [&](char *buffer, std::size_t capacity) {
+            return pdn_model_describe(get(), buffer, capacity);
+        });
+    }
+    /** A copy of a model, which may be changed and solved apart from it. */
+    Model copy() const
+    {
+        pdn_model *out = nullptr;
+        const pdn_status status = pdn_model_copy(get(), &out);
+        Model made(out, kept());
+        detail::check(status);
+        return made;
+    }
+    /** Saves a model. */
+    void save(const std::string &path) const
+    {
+        detail::check(pdn_model_save(get(), detail::in(path)));
+    }
+    /** Loads a model that ::pdn_model_save saved; its ids are what they were. */
+    static Model load(const std::string &path)
+    {
+        pdn_model *out = nullptr;
+        const pdn_status status = pdn_model_load(detail::in(path), &out);
+        Model made(out, {});
+        detail::check(status);
+        return made;
+    }
+};
+
+/** What solution_history gives. */
+struct SolutionHistory {
+    /** Residuals. */
+    std::vector<double> residuals;
+    /** Increments. */
+    std::vector<double> increments;
+    /** Steps. */
+    std::vector<double> steps;
+};
+
+/** What solution_sharp_events gives. */
+struct SolutionSharpEvents {
+    /** Their times. */
+    std::vector<double> times;
+    /** Half-widths of the additional density of grid points. */
+    std::vector<double> widths;
+    /** Shares of the grid points, beside 1 for the rest. */
+    std::vector<double> shares;
+};
+
+/** What solution_harmonics gives. */
+struct SolutionHarmonics {
+    /** Mean. */
+    std::vector<double> mean;
+    /** Growth per unit of time, of what gains turns. */
+    std::vector<double> rate;
+    /** Components of each harmonic together. */
+    std::vector<double> cosines;
+    /** Components of each harmonic together. */
+    std::vector<double> sines;
+};
+
+/** What solution_extremes gives. */
+struct SolutionExtremes {
+    /** Smallest. */
+    std::vector<double> smallest;
+    /** Time of smallest. */
+    std::vector<double> time_of_smallest;
+    /** Largest. */
+    std::vector<double> largest;
+    /** Time of largest. */
+    std::vector<double> time_of_largest;
+};
+
+/** What solution_multiplier_sensitivities gives. */
+struct SolutionMultiplierSensitivities {
+    /** Derivatives of the real part. */
+    std::vector<double> re;
+    /** Those of the imaginary part. */
+    std::vector<double> im;
+};
+
+/** What solution_floquet gives. */
+struct SolutionFloquet {
+    /** Real. */
+    std::vector<double> real;
+    /** Imaginary. */
+    std::vector<double> imaginary;
+};
+
+/** A solution, converged or not. */
+class Solution : public detail::Handle<pdn_solution, pdn_solution_free>
+{
+  public:
+    using Handle::Handle;
+    /** How the solve ended. */
+    Outcome outcome() const
+    {
+        const std::int32_t told = pdn_solution_outcome(get());
+        detail::check(told);
+        return static_cast<Outcome>(told);
+    }
+    /** Whether it converged. */
+    bool converged() const
+    {
+        return outcome() == Outcome::converged;
+    }
+    /** A readable report: outcome and why, iterations, error estimates, time spent. */
+    std::string report() const
+    {
+        return text_of("solution", [&](char *buffer, std::size_t capacity) {
+            return pdn_solution_report(get(), buffer, capacity);
+        });
+    }
+    /** Figures of a solve: iterations, error estimates, residuals between grid points, time
+     * spent. */
+    pdn_diagnostics diagnostics() const
+    {
+        pdn_diagnostics out = detail::initialised(pdn_diagnostics_init);
+        detail::check(pdn_solution_diagnostics(get(), &out));
+        return out;
+    }
+    /** History of the Newton iterations of the periodic problem. */
+    SolutionHistory history() const
+    {
+        const std::size_t count = static_cast<std::size_t>(diagnostics().iterations);
+        std::vector<double> residuals(count);
+        std::vector<double> increments(count);
+        std::vector<double> steps(count);
+        detail::check(pdn_solution_history(get(), residuals.data(), increments.data(),
+            steps.data(), count));
+        return {std::move(residuals), std::move(increments), std::move(steps)};
+    }
+    /** Decay of the harmonics: largest amplitude of each over all nodes, of positions relative to
+     * the size of the mechanism and of entries of rotation matrices. */
+    std::vector<double> decay() const
+    {
+        const std::size_t count = (diagnostics().grid_points + 1) / 2;
+        std::vector<double> amplitudes(count);
+        detail::check(pdn_solution_decay(get(), amplitudes.data(), count));
+        return amplitudes;
+    }
+    /** Number of events that the grid points of a solution are closer together about: 0 if they are
+     * equispaced. */
+    std::size_t sharp_event_count() const
+    {
+        std::size_t out = 0;
+        detail::check(pdn_solution_sharp_event_count(get(), &out));
+        return out;
+    }
+    /** Events that the grid points of a solution are closer together about, those of
+     * pdn_periodic_options or such as a solve to a tolerance has found. */
+    SolutionSharpEvents sharp_events() const
+    {
+        const std::size_t count = sharp_event_count();
+        std::vector<double> times(count);
+        std::vector<double> widths(count);
+        std::vector<double> shares(count);
+        detail::check(pdn_solution_sharp_events(get(), times.data(), widths.data(), shares.data(),
+            count));
+        return {std::move(times), std::move(widths), std::move(shares)};
+    }
+    /** Grid times t_k = k T / N, unless grid points are closer together about events; of a march
+     * the times of its steps, from the start. */
+    std::vector<double> grid_times() const
+    {
+        const std::size_t count = static_cast<std::size_t>(diagnostics().grid_points);
+        std::vector<double> times(count);
+        detail::check(pdn_solution_grid_times(get(), times.data(), count));
+        return times;
+    }
+    /** A quantity of a solution at any times. */
+    std::vector<double> sample(const Quantity &quantity, const std::vector<double> &times) const
+    {
+        const std::size_t count = times.size();
+        std::vector<double> out(count *quantity.components());
+        detail::check(pdn_solution_sample(get(), &quantity, detail::in(times), count, out.data()));
+        return out;
+    }
+    /** The same of a quantity of C components: an array for each. */
+    template <std::size_t C>
+    Series<C> sample(const Quantity &quantity, const std::vector<double> &times) const
+    {
+        return detail::as_series<C>(sample(quantity, times), quantity.components());
+    }
+    /** Fourier coefficients of a quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j] sin
+     * jwt. */
+    SolutionHarmonics harmonics(const Quantity &quantity, std::size_t harmonics) const
+    {
+        detail::check(pdn_solution_harmonics(get(), &quantity, harmonics, nullptr, nullptr,
+            nullptr, nullptr));
+        std::vector<double> mean(quantity.components());
+        std::vector<double> rate(quantity.components());
+        std::vector<double> cosines(harmonics *quantity.components());
+        std::vector<double> sines(harmonics *quantity.components());
+        detail::check(pdn_solution_harmonics(get(), &quantity, harmonics, mean.data(), rate.data(),
+            cosines.data(), sines.data()));
+        return {std::move(mean), std::move(rate), std::move(cosines), std::move(sines)};
+    }
+    /** Smallest and largest values of a quantity, and their times. */
+    SolutionExtremes extremes(const Quantity &quantity) const
+    {
+        std::vector<double> smallest(quantity.components());
+        std::vector<double> time_of_smallest(quantity.components());
+        std::vector<double> largest(quantity.components());
+        std::vector<double> time_of_largest(quantity.components());
+        detail::check(pdn_solution_extremes(get(), &quantity, smallest.data(),
+            time_of_smallest.data(), largest.data(), time_of_largest.data()));
+        return {std::move(smallest), std::move(time_of_smallest), std::move(largest),
+            std::move(time_of_largest)};
+    }
+    /** A copy of a solution whose quantities are seen through a spectral filter. */
+    Solution filtered(Filter filter, std::int32_t order) const
+    {
+        pdn_solution *out = nullptr;
+        const pdn_status status = pdn_solution_filtered(get(), detail::in(filter), order, &out);
+        Solution made(out, kept());
+        detail::check(status);
+        return made;
+    }
+    /** Value of a parameter in a solution: given, or found. */
+    double parameter(std::int32_t parameter) const
+    {
+        double out = 0;
+        detail::check(pdn_solution_parameter(get(), parameter, &out));
+        return out;
+    }
+    /** Derivatives of what comes out of a periodic solution by parameters of its model. */
+    std::vector<double> sensitivities(const Sensitivities &sensitivities, std::size_t dependents,
+        std::size_t parameters, const Conditions *conditions = nullptr,
+        SensitivityOptions options = {}) const
+    {
+        std::vector<double> derivatives(parameters *dependents);
+        detail::check(pdn_solution_sensitivities(get(), sensitivities.get(), detail::in(conditions,
+            "conditions"), options.get(), derivatives.data(), dependents, parameters));
+        return derivatives;
+    }
+    /** Derivatives of a Floquet multiplier of a periodic solution by parameters of its model. */
+    SolutionMultiplierSensitivities multiplier_sensitivities(const Sensitivities &sensitivities,
+        const Stability &stability, std::int32_t number, std::size_t parameters,
+        const Conditions *conditions = nullptr, SensitivityOptions options = {}) const
+    {
+        std::vector<double> re(parameters);
+        std::vector<double> im(parameters);
+        detail::check(pdn_solution_multiplier_sensitivities(get(), sensitivities.get(),
+            stability.get(), number, detail::in(conditions, "conditions"), options.get(),
+            re.data(), im.data(), parameters));
+        return {std::move(re), std::move(im)};
+    }
+    /** Figures of a march: steps, periods, how much the last of them differ, how much the start was
+     * changed. */
+    pdn_march_diagnostics march() const
+    {
+        pdn_march_diagnostics out = detail::initialised(pdn_march_diagnostics_init);
+        detail::check(pdn_solution_march(get(), &out));
+        return out;
+    }
+    /** Number of Floquet multipliers of a solution: as many as the system has states, if
+     * ::pdn_solve_shooting found them; of a periodic solution as many as ::pdn_solve_stability
+     * finds, which is called with default options unless it has been before. */
+    std::size_t floquet_count() const
+    {
+        std::size_t out = 0;
+        detail::check(pdn_solution_floquet_count(get(), &out));
+        return out;
+    }
+    /** Floquet multipliers: what disturbances of the motion are multiplied by in a period, the
+     * largest first. */
+    SolutionFloquet floquet() const
+    {
+        const std::size_t count = floquet_count();
+        std::vector<double> real(count);
+        std::vector<double> imaginary(count);
+        detail::check(pdn_solution_floquet(get(), real.data(), imaginary.data(), count));
+        return {std::move(real), std::move(imaginary)};
+    }
+    /** Writes an animation of a solution that ParaView opens: VTK's XML files, and a list of
+     * them. */
+    void write_vtk(const std::vector<double> &times, std::size_t points_per_element,
+        const std::string &path) const
+    {
+        const std::size_t count = times.size();
+        detail::check(pdn_solution_write_vtk(get(), detail::in(times), count, points_per_element,
+            detail::in(path)));
+    }
+    /** Saves a solution with its model, whether it has converged or not. */
+    void save(const std::string &path) const
+    {
+        detail::check(pdn_solution_save(get(), detail::in(path)));
+    }
+    /** Loads a solution that ::pdn_solution_save saved: its quantities, diagnostics and report are
+     * what they were. */
+    static Solution load(const std::string &path)
+    {
+        pdn_solution *out = nullptr;
+        const pdn_status status = pdn_solution_load(detail::in(path), &out);
+        Solution made(out, {});
+        detail::check(status);
+        return made;
+    }
+    /** A copy of the model that a solution is of, as it was when it was solved. */
+    Model model() const
+    {
+        pdn_model *out = nullptr;
+        const pdn_status status = pdn_solution_model(get(), &out);
+        Model made(out, kept());
+        detail::check(status);
+        return made;
+    }
+};
+
+/** Options of ::pdn_solve_stability. */
+struct StabilityOptions : pdn_stability_options {
+    /** With its defaults. */
+    StabilityOptions()
+        : pdn_stability_options(detail::initialised(pdn_stability_options_init))
+    {
+    }
+    /** Told about ten times a second that work goes on; may cancel. */
+    Progress progress;
+    /** As the library takes it, valid while this object stays as it is. */
+    const pdn_stability_options *get()
+    {
+        pdn_stability_options::progress = progress ? &detail::progress_fn<Progress> : nullptr;
+        pdn_stability_options::progress_data = &progress;
+        return this;
+    }
+};
+
+/** Periodic motions along a parameter. */
+class Branch : public detail::Handle<pdn_branch, pdn_branch_free>
+{
+  public:
+    using Handle::Handle;
+    /** Saves a branch with its model and all its points. */
+    void save(const std::string &path) const
+    {
+        detail::check(pdn_branch_save(get(), detail::in(path)));
+    }
+    /** Loads a branch that ::pdn_branch_save saved. */
+    static Branch load(const std::string &path)
+    {
+        pdn_branch *out = nullptr;
+        const pdn_status status = pdn_branch_load(detail::in(path), &out);
+        Branch made(out, {});
+        detail::check(status);
+        return made;
+    }
+    /** Why a branch ended. */
+    BranchEnd end() const
+    {
+        const std::int32_t told = pdn_branch_end(get());
+        detail::check(told);
+        return static_cast<BranchEnd>(told);
+    }
+    /** A readable report: points, events, and why the branch ended. */
+    std::string report() const
+    {
+        return text_of("branch", [&](char *buffer, std::size_t capacity) {
+            return pdn_branch_report(get(), buffer, capacity);
+        });
+    }
+    /** Number of points of a branch. */
+    std::int32_t count() const
+    {
+        std::int32_t out = 0;
+        detail::check(pdn_branch_count(get(), &out));
+        return out;
+    }
+    /** A point of a branch. */
+    pdn_branch_point point(std::int32_t point) const
+    {
+        pdn_branch_point out = detail::initialised(pdn_branch_point_init);
+        detail::check(pdn_branch_get(get(), point, &out));
+        return out;
+    }
+    /** The solution at a point of a branch. */
+    Solution solution(std::int32_t point) const
+    {
+        pdn_solution *out = nullptr;
+        const pdn_status status = pdn_branch_solution(get(), point, &out);
+        Solution made(out, kept());
+        detail::check(status);
+        return made;
+    }
+    /** Writes a branch as CSV: a line for each point, with the parameter, how the step went, what
+     * happens there, what multipliers say if they were wanted (`pdn_branch_options.stability`) and,
+     * of each component of quantities, the mean, the size of the first harmonic, the least and the
+     * largest value over the period. */
+    void write_csv(const std::string &path, const std::vector<Quantity> &quantities = {}) const
+    {
+        const std::size_t count = quantities.size();
+        detail::check(pdn_branch_write_csv(get(), detail::in_or_null(quantities), count,
+            detail::in(path)));
+    }
+    /** Writes a chart of the exponents of small disturbances along a branch as CSV, as of Campbell:
+     * of each point that is no event a line for each multiplier, but for conjugates and for those
+     * that only move the motion in time or space. */
+    void write_campbell(const std::string &path, const std::vector<std::int32_t> &blades = {},
+        StabilityOptions options = {}) const
+    {
+        const std::size_t count = blades.size();
+        detail::check(pdn_branch_write_campbell(get(), options.get(), detail::in_or_null(blades),
+            count, detail::in(path)));
+    }
+};
+
+/** Options of ::pdn_equations_new. */
+struct EquationsOptions : pdn_equations_options {
+    /** With its defaults. */
+    EquationsOptions()
+        : pdn_equations_options(detail::initialised(pdn_equations_options_init))
+    {
+    }
+    /** Where to begin: a solution as for pdn_periodic_options.initial. */
+    const Solution *initial = nullptr;
+    /** Rank of each node, an array of length [owner_count]. Each rank must have a node. */
+    std::vector<std::int32_t> owners;
+    /** The preconditioner: PDN_LINEAR_TIME_LOCAL, PDN_LINEAR_BODY_CIRCULANT, PDN_LINEAR_CIRCULANT,
+     * or PDN_LINEAR_AUTOMATIC for the first where joints turn in the initial motion, the second
+     * otherwise. Default PDN_LINEAR_AUTOMATIC. */
+    Linear preconditioner = static_cast<Linear>(pdn_equations_options::preconditioner);
+    /** As the library takes it, valid while this object stays as it is. */
+    const pdn_equations_options *get()
+    {
+        pdn_equations_options::initial = detail::in(initial, "options.initial");
+        pdn_equations_options::owners = detail::in_or_null(owners);
+        pdn_equations_options::preconditioner = detail::in(preconditioner);
+        pdn_equations_options::owner_count = detail::common({{"owners", owners.size()}}, true);
+        return this;
+    }
+};
+
+/** What equations_state gives. */
+struct EquationsState {
+    /** Node by node, at one grid point after the other, position (3, inertial frame \[length\]),
+     * then rotation matrix (9, column by column). */
+    std::vector<double> motions;
+    /** Multipliers \[force or moment\] and internal states \[length or angle\], in the order of
+     * vectors. */
+    std::vector<double> own_unknowns;
+};
+
+/** What equations_compliance gives. */
+struct EquationsCompliance {
+    /** Zeros if constraints have no compliance. */
+    std::vector<double> compliance;
+    /** 1 if they have some, the same on all ranks, or 0. */
+    bool compliant;
+};
+
+/** What equations_norms gives. */
+struct EquationsNorms {
+    /** Largest increment of a motion: displacements relative to the characteristic length, turns in
+     * radians. */
+    double motion;
+    /** Largest increment of a multiplier or internal state, relative to the largest of their
+     * values. */
+    double own_unknown;
+};
+
+/** The equations of a periodic motion on a grid, or a rank's part of them. */
+class Equations : public detail::Handle<pdn_equations, pdn_equations_free>
+{
+  public:
+    using Handle::Handle;
+    /** Makes the equations of a periodic motion on a grid, or a rank's part. */
+    Equations(const Model &model, double period, EquationsOptions options) : Handle(nullptr, {})
+    {
+        pdn_equations *out = nullptr;
+        detail::check(pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR));
+        const pdn_status status = pdn_equations_new(model.get(), period, options.get(), &out);
+        *this = Equations(out, model.kept());
+        detail::check(status);
+    }
+    /** Sizes of the equations, and of the vectors of this rank. */
+    pdn_equations_sizes sizes() const
+    {
+        pdn_equations_sizes out = detail::initialised(pdn_equations_sizes_init);
+        detail::check(pdn_equations_get_sizes(get(), &out));
+        return out;
+    }
+    /** Nodes of this rank, in the order of its vectors. */
+    std::vector<std::int32_t> nodes() const
+    {
+        const std::size_t count = sizes().nodes;
+        std::vector<std::int32_t> out(count);
+        detail::check(pdn_equations_nodes(get(), out.data(), count));
+        return out;
+    }
+    /** Numbers of this rank's unknowns among those of all ranks: in the order that one rank alone
+     * has them in, from 0. */
+    std::vector<std::size_t> numbers() const
+    {
+        const std::size_t count = sizes().size;
+        std::vector<std::size_t> out(count);
+        detail::check(pdn_equations_numbers(get(), out.data(), count));
+        return out;
+    }
+    /** The present motions of this rank's nodes, and own unknowns of its elements. */
+    EquationsState state() const
+    {
+        const std::size_t motion_count = sizes().motions;
+        const std::size_t own_count = sizes().own_unknowns;
+        std::vector<double> motions(motion_count);
+        std::vector<double> own_unknowns(own_count);
+        detail::check(pdn_equations_state(get(), motions.data(), motion_count, own_unknowns.data(),
+            own_count));
+        return {std::move(motions), std::move(own_unknowns)};
+    }
+    /** Sets motions and own unknowns, as ::pdn_equations_state gives them. */
+    void set_state(const std::vector<double> &motions, const std::vector<double> &own_unknowns)
+    {
+        const std::size_t motion_count = sizes().motions;
+        const std::size_t own_count = sizes().own_unknowns;
+        detail::check(pdn_equations_set_state(get(), detail::in(motions), motion_count,
+            detail::in(own_unknowns), own_count));
+    }
+    /** The scaled residual at the present state. */
+    std::vector<double> residual()
+    {
+        const std::size_t count = sizes().size;
+        std::vector<double> out(count);
+        detail::check(pdn_equations_residual(get(), out.data(), count));
+        return out;
+    }
+    /** Linearises the equations at the present state, which ::pdn_equations_update then begins
+     * at. */
+    void linearise()
+    {
+        detail::check(pdn_equations_linearise(get()));
+    }
+    /** The product of the scaled Jacobian of the last linearisation and a vector. */
+    std::vector<double> product(const std::vector<double> &x)
+    {
+        const std::size_t count = sizes().size;
+        std::vector<double> out(count);
+        detail::check(pdn_equations_product(get(), detail::in(x), out.data(), count));
+        return out;
+    }
+    /** The product of the transposed scaled Jacobian and a vector. */
+    std::vector<double> transposed_product(const std::vector<double> &x)
+    {
+        const std::size_t count = sizes().size;
+        std::vector<double> out(count);
+        detail::check(pdn_equations_transposed_product(get(), detail::in(x), out.data(), count));
+        return out;
+    }
+    /** The product of a vector and what multiplies a power of mu in the scaled Jacobian for
+     * disturbances exp(mu t) times increments of the period: J(mu) = J + mu J1 + mu^2 J2. */
+    std::vector<double> power_product(std::int32_t power, const std::vector<double> &x)
+    {
+        const std::size_t count = sizes().size;
+        std::vector<double> out(count);
+        detail::check(pdn_equations_power_product(get(), power, detail::in(x), out.data(), count));
+        return out;
+    }
+    /** Factors the preconditioner of the linearised equations. */
+    bool factor(const std::vector<double> &right_side)
+    {
+        const std::size_t count = sizes().size;
+        std::int32_t regular = 0;
+        detail::check(pdn_equations_factor(get(), detail::in(right_side), count, &regular));
+        return regular != 0;
+    }
+    /** The solution of the preconditioner's equations with a right side. */
+    std::vector<double> precondition(const std::vector<double> &x)
+    {
+        const std::size_t count = sizes().size;
+        std::vector<double> out(count);
+        detail::check(pdn_equations_precondition(get(), detail::in(x), out.data(), count));
+        return out;
+    }
+    /** What a scaled increment leaves of the constraints by their compliance in the Jacobian, where
+     * some depend on others. */
+    EquationsCompliance compliance(const std::vector<double> &increment)
+    {
+        const std::size_t count = sizes().size;
+        std::vector<double> out(count);
+        std::int32_t compliant = 0;
+        detail::check(pdn_equations_compliance(get(), detail::in(increment), out.data(), count,
+            &compliant));
+        return {std::move(out), compliant != 0};
+    }
+    /** Moves the state that the equations were linearised at last by a fraction of a scaled
+     * increment; the present state is then that. */
+    void update(const std::vector<double> &increment, double step = 1.0)
+    {
+        const std::size_t count = sizes().size;
+        detail::check(pdn_equations_update(get(), detail::in(increment), count, step));
+    }
+    /** Sizes of a scaled increment of all ranks, the same on all. */
+    EquationsNorms norms(const std::vector<double> &increment) const
+    {
+        const std::size_t count = sizes().size;
+        double motion = 0;
+        double own_unknown = 0;
+        detail::check(pdn_equations_norms(get(), detail::in(increment), count, &motion,
+            &own_unknown));
+        return {motion, own_unknown};
+    }
+    /** The present state of all ranks as a solution, for results, files, and what else solutions
+     * are for. */
+    std::optional<Solution> solution(Outcome outcome, std::int32_t root = -1) const
+    {
+        pdn_solution *out = nullptr;
+        const pdn_status status = pdn_equations_solution(get(), root, detail::in(outcome), &out);
+        Solution made(out, kept());
+        detail::check(status);
+        return made.get() ? std::optional<Solution>(std::move(made)) : std::nullopt;
+    }
+};
+
+/** What modes_count gives. */
+struct ModesCount {
+    /** The number. */
+    std::int32_t count;
+    /** 1 if the wanted number was found, or all that there are, else 0. */
+    bool complete;
+};
+
+/** What modes_shape gives. */
+struct ModesShape {
+    /** Real part, components fastest. */
+    Series<6> real;
+    /** Imaginary part. */
+    Series<6> imaginary;
+};
+
+/** An equilibrium and the modes about it. */
+class Modes : public detail::Handle<pdn_modes, pdn_modes_free>
+{
+  public:
+    using Handle::Handle;
+    /** How the search for the equilibrium ended. */
+    Outcome outcome() const
+    {
+        const std::int32_t told = pdn_modes_outcome(get());
+        detail::check(told);
+        return static_cast<Outcome>(told);
+    }
+    /** Whether it converged. */
+    bool converged() const
+    {
+        return outcome() == Outcome::converged;
+    }
+    /** A readable report: outcome of the equilibrium and why, and a table of the modes. */
+    std::string report() const
+    {
+        return text_of("modes", [&](char *buffer, std::size_t capacity) {
             return pdn_modes_report(get(), buffer, capacity);
         });
     }
-    std::int32_t count() const
+    /** Number of modes: as many as were wanted, if there are and they were found. */
+    ModesCount count() const
     {
-        return detail::number<std::int32_t>(
-            [&](std::int32_t *out) { return pdn_modes_count(get(), out, nullptr); });
+        std::int32_t out = 0;
+        std::int32_t complete = 0;
+        detail::check(pdn_modes_count(get(), &out, &complete));
+        return {out, complete != 0};
     }
-    /** Whether all that were wanted were found, or all that there are. */
-    bool complete() const
-    {
-        std::int32_t count = 0, complete = 0;
-        detail::check(pdn_modes_count(get(), &count, &complete));
-        return complete != 0;
-    }
-    /** Eigenvalue, frequency and damping. */
+    /** Eigenvalue, frequency and damping of a mode. */
     pdn_mode mode(std::int32_t mode) const
     {
-        pdn_mode out;
-        pdn_mode_init(&out, sizeof out);
+        pdn_mode out = detail::initialised(pdn_mode_init);
         detail::check(pdn_modes_get(get(), mode, &out));
         return out;
     }
-    Shape shape(std::int32_t mode, Ids nodes) const
+    /** Shape x of a mode at some nodes. */
+    ModesShape shape(std::int32_t mode, const std::vector<std::int32_t> &nodes) const
     {
-        Shape out{Series<6>(nodes.size()), Series<6>(nodes.size())};
-        detail::check(pdn_modes_shape(get(), mode, nodes.data(), nodes.size(),
-                                      detail::flat(out.real), detail::flat(out.imaginary)));
-        return out;
+        const std::size_t count = nodes.size();
+        Series<6> real(count);
+        Series<6> imaginary(count);
+        detail::check(pdn_modes_shape(get(), mode, detail::in(nodes), count, detail::flat(real),
+            detail::flat(imaginary)));
+        return {std::move(real), std::move(imaginary)};
     }
-    /** The motion in a mode. */
+    /** The motion in a mode, to be looked at as any other solution. */
     Solution motion(std::int32_t mode, double amplitude) const
     {
-        auto handle = detail::make<pdn_solution>(
-            [&](pdn_solution **out) { return pdn_modes_motion(get(), mode, amplitude, out); });
-        return Solution(handle.release(), kept_);
+        pdn_solution *out = nullptr;
+        const pdn_status status = pdn_modes_motion(get(), mode, amplitude, &out);
+        Solution made(out, kept());
+        detail::check(status);
+        return made;
     }
+    /** The equilibrium, as ::pdn_solve_static gives it, converged or not. */
     Solution equilibrium() const
     {
-        auto handle = detail::make<pdn_solution>(
-            [&](pdn_solution **out) { return pdn_modes_equilibrium(get(), out); });
-        return Solution(handle.release(), kept_);
+        pdn_solution *out = nullptr;
+        const pdn_status status = pdn_modes_equilibrium(get(), &out);
+        Solution made(out, kept());
+        detail::check(status);
+        return made;
     }
-
-  private:
-    detail::Kept kept_; // outlives the handle
-    std::unique_ptr<pdn_modes, detail::Free> handle_;
 };
 
-/** Finds an equilibrium, and the modes of small motions about it. */
-inline Modes solve_modes(const Model &model, const ModesOptions &options = {})
-{
-    pdn_static_options equilibrium = options.equilibrium;
-    equilibrium.initial = detail::initial(options.equilibrium.initial);
-    detail::Watch watch(options.equilibrium.progress, equilibrium);
-    pdn_modes_options plain = options;
-    plain.equilibrium = &equilibrium;
-    auto handle = detail::make<pdn_modes>(
-        [&](pdn_modes **out) { return pdn_solve_modes(model.get(), &plain, out); });
-    watch.rethrow();
-    return Modes(handle.release(), model.kept());
-}
-
-/** Quantities of solutions at many times, to be written as CSV. Without labels columns have names
- * of their own. */
-class Table
+/** Columns of numbers over the same times. */
+class Table : public detail::Handle<pdn_table, pdn_table_free>
 {
   public:
-    using Id = std::int32_t;
-
-    explicit Table(Reals times)
-        : handle_(detail::make<pdn_table>(
-              [&](pdn_table **out) { return pdn_table_new(times.data(), times.size(), out); }))
+    using Handle::Handle;
+    /** Adds the columns of a quantity of a solution, named by the label and the component; or that
+     * of one component, named by the label alone. */
+    void add_quantity(const Solution &solution, const Quantity &quantity,
+        const std::optional<std::string> &label = {})
     {
+        detail::check(pdn_table_add_quantity(get(), solution.get(), &quantity, detail::in(label)));
     }
-    /** The handle, for functions of periodyn.h; NULL if moved from. */
-    pdn_table *get() const noexcept
+    /** A table over these times, to choose columns for and to write as CSV. */
+    explicit Table(const std::vector<double> &times) : Handle(nullptr, {})
     {
-        return handle_.get();
+        const std::size_t count = times.size();
+        pdn_table *out = nullptr;
+        detail::check(pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR));
+        const pdn_status status = pdn_table_new(detail::in(times), count, &out);
+        *this = Table(out, {});
+        detail::check(status);
     }
-    /** A quantity, or one of its components. */
-    void add(const Solution &solution, const Quantity &quantity, const std::string &label = {})
+    /** Adds a column of values of your own, such as one computed from several quantities. */
+    void add_values(const std::string &label, const std::vector<double> &values)
     {
-        detail::check(pdn_table_add_quantity(get(), solution.get(), &quantity, c(label)));
+        const std::size_t count = values.size();
+        detail::check(pdn_table_add_values(get(), detail::in(label), detail::in(values), count));
     }
-    /** Values of your own, one for each time. */
-    void add_values(const std::string &label, Reals values)
-    {
-        detail::check(pdn_table_add_values(get(), label.c_str(), values.data(), values.size()));
-    }
+    /** Writes a table as a CSV file: a line of names, then a line for each time. */
     void write_csv(const std::string &path) const
     {
-        detail::check(pdn_table_write_csv(get(), path.c_str()));
+        detail::check(pdn_table_write_csv(get(), detail::in(path)));
     }
+};
 
-  private:
-    static const char *c(const std::string &label)
+/** Options of ::pdn_solve_periodic. */
+struct PeriodicOptions : pdn_periodic_options {
+    /** With its defaults. */
+    PeriodicOptions()
+        : pdn_periodic_options(detail::initialised(pdn_periodic_options_init))
     {
-        return label.empty() ? nullptr : label.c_str();
     }
-
-    std::unique_ptr<pdn_table, detail::Free> handle_;
+    /** Start from this solution, periodic or static, also on another grid or of another period, or
+     * from the last period of this march. Its model is to have the same bodies, joints, forces and
+     * prescribed coordinates, and the same beams, which may have other meshes. If grid_points is 0,
+     * the first grid is that of this solution. */
+    const Solution *initial = nullptr;
+    /** Start from these positions, 3 x N x nodes: coordinates fastest, then grid points, then
+     * nodes. Needs guess_rotations, and grid_points or harmonics. */
+    Series<3> guess_positions;
+    /** Rotation matrices of the same start, 9 x N x nodes, each column by column. */
+    Series<9> guess_rotations;
+    /** Told of each iteration, and while one lasts, see progress_interval; may cancel. */
+    Progress progress;
+    /** How linear equations are solved: PDN_LINEAR_AUTOMATIC, PDN_LINEAR_DIRECT, ... Default
+     * PDN_LINEAR_AUTOMATIC. */
+    Linear linear_solver = static_cast<Linear>(pdn_periodic_options::linear_solver);
+    /** Where the library starts, unless a start is given: PDN_START_AUTOMATIC, or one way alone:
+     * PDN_START_QUASI_STATIC, ... PDN_START_STEADY_ROTATION and PDN_START_RIGID_ROTATION need a
+     * drive that turns. Default PDN_START_AUTOMATIC. */
+    Start start = static_cast<Start>(pdn_periodic_options::start);
+    /** Where the points of grids are: PDN_TIME_MAP_AUTOMATIC, PDN_TIME_MAP_EQUISPACED or
+     * PDN_TIME_MAP_EVENTS. By PDN_TIME_MAP_AUTOMATIC, a given number of points is equispaced, and a
+     * solve to a tolerance that starts from a solution goes on with the map of that. Default
+     * PDN_TIME_MAP_EQUISPACED. */
+    TimeMap time_map = static_cast<TimeMap>(pdn_periodic_options::time_map);
+    /** Times of the events, which repeat themselves every period: an array of length
+     * [event_count]. */
+    std::vector<double> event_times;
+    /** Times from there to where the additional density of grid points is half as large, about as
+     * long as the events last, from 1e-5 to half the period: an array of length [event_count]. */
+    std::vector<double> event_widths;
+    /** Grid points that are there for each, beside those spread equally over the period, which
+     * count as 1; above 0, at most 100: an array of length [event_count]. */
+    std::vector<double> event_shares;
+    /** As the library takes it, valid while this object stays as it is. */
+    const pdn_periodic_options *get(std::size_t nodes)
+    {
+        pdn_periodic_options::initial = detail::in(initial, "options.initial");
+        pdn_periodic_options::guess_positions = detail::flat(guess_positions, nodes,
+            harmonics != 0 ? 2 * harmonics + 1 : grid_points, "guess_positions");
+        pdn_periodic_options::guess_rotations = detail::flat(guess_rotations, nodes,
+            harmonics != 0 ? 2 * harmonics + 1 : grid_points, "guess_rotations");
+        pdn_periodic_options::progress = progress ? &detail::progress_fn<Progress> : nullptr;
+        pdn_periodic_options::progress_data = &progress;
+        pdn_periodic_options::linear_solver = detail::in(linear_solver);
+        pdn_periodic_options::start = detail::in(start);
+        pdn_periodic_options::time_map = detail::in(time_map);
+        pdn_periodic_options::event_times = detail::in_or_null(event_times);
+        pdn_periodic_options::event_widths = detail::in_or_null(event_widths);
+        pdn_periodic_options::event_shares = detail::in_or_null(event_shares);
+        pdn_periodic_options::event_count = detail::common({{"event_times", event_times.size()},
+            {"event_widths", event_widths.size()}, {"event_shares", event_shares.size()}}, true);
+        return this;
+    }
 };
 
-/** A motion at many times; velocities along the moving axes. */
-struct Motion {
+/** Options of ::pdn_follow_branch. */
+struct BranchOptions : pdn_branch_options {
+    /** With its defaults. */
+    BranchOptions()
+        : pdn_branch_options(detail::initialised(pdn_branch_options_init))
+    {
+    }
+    /** Grid, tolerance and linear solver, where the first solve starts, and who is told of the
+     * iterations. */
+    PeriodicOptions periodic;
+    /** What else is free along the branch, and as many conditions. */
+    const Conditions *conditions = nullptr;
+    /** Told of each point; may end the branch. */
+    BranchProgress progress;
+    /** As the library takes it, valid while this object stays as it is. */
+    const pdn_branch_options *get(std::size_t nodes)
+    {
+        pdn_branch_options::periodic = periodic.get(nodes);
+        pdn_branch_options::conditions = detail::in(conditions, "options.conditions");
+        pdn_branch_options::progress = progress ? &detail::branch_fn<BranchProgress> : nullptr;
+        pdn_branch_options::progress_data = &progress;
+        return this;
+    }
+};
+
+/** Options of ::pdn_solve_static. */
+struct StaticOptions : pdn_static_options {
+    /** With its defaults. */
+    StaticOptions()
+        : pdn_static_options(detail::initialised(pdn_static_options_init))
+    {
+    }
+    /** Start from this solution, at `time`, of a model with the same nodes and joints. */
+    const Solution *initial = nullptr;
+    /** Told of each iteration, and about ten times a second while one lasts; may cancel. */
+    Progress progress;
+    /** As the library takes it, valid while this object stays as it is. */
+    const pdn_static_options *get()
+    {
+        pdn_static_options::initial = detail::in(initial, "options.initial");
+        pdn_static_options::progress = progress ? &detail::progress_fn<Progress> : nullptr;
+        pdn_static_options::progress_data = &progress;
+        return this;
+    }
+};
+
+/** Options of ::pdn_solve_modes. */
+struct ModesOptions : pdn_modes_options {
+    /** With its defaults. */
+    ModesOptions()
+        : pdn_modes_options(detail::initialised(pdn_modes_options_init))
+    {
+    }
+    /** The equilibrium, at rest or in steady rotation, how to find it, and who is told of the
+     * iterations. */
+    StaticOptions equilibrium;
+    /** As the library takes it, valid while this object stays as it is. */
+    const pdn_modes_options *get()
+    {
+        pdn_modes_options::equilibrium = equilibrium.get();
+        return this;
+    }
+};
+
+/** Options of ::pdn_march. */
+struct MarchOptions : pdn_march_options {
+    /** With its defaults. */
+    MarchOptions()
+        : pdn_march_options(detail::initialised(pdn_march_options_init))
+    {
+    }
+    /** Start from this solution of a model with the same nodes and joints, at start_time: an
+     * equilibrium, a periodic motion or another march. */
+    const Solution *initial = nullptr;
+    /** Start from these positions, 3 x nodes. Needs rotations. */
     Series<3> positions;
+    /** Rotation matrices of the same start, 9 x nodes, each column by column. */
     Series<9> rotations;
+    /** Velocities of the same start, 6 x nodes: velocity of each node and its angular velocity,
+     * inertial frame. */
     Series<6> velocities;
-    Series<6> accelerations;
-};
-
-/** Velocities and accelerations at the grid points, and their derivatives by the motions. */
-struct GridKinematics {
-    Series<6> velocities;
-    Series<6> accelerations;
-    /** 6 N x 6 N, column by column; empty if not wanted. */
-    std::vector<double> velocity_tangent, acceleration_tangent;
-};
-
-namespace detail
-{
-inline void check_motion(const Series<3> &positions, const Series<9> &rotations)
-{
-    if (positions.size() != rotations.size()) {
-        throw error(PDN_ERR_SIZE, "rotations: expected as many as positions");
+    /** Told of each step, and about ten times a second while one lasts; may cancel. */
+    Progress progress;
+    /** As the library takes it, valid while this object stays as it is. */
+    const pdn_march_options *get(std::size_t nodes)
+    {
+        pdn_march_options::initial = detail::in(initial, "options.initial");
+        pdn_march_options::positions = detail::flat(positions, nodes, 1, "positions");
+        pdn_march_options::rotations = detail::flat(rotations, nodes, 1, "rotations");
+        pdn_march_options::velocities = detail::flat(velocities, nodes, 1, "velocities");
+        pdn_march_options::progress = progress ? &detail::progress_fn<Progress> : nullptr;
+        pdn_march_options::progress_data = &progress;
+        return this;
     }
-}
-} // namespace detail
+};
 
-/** Interpolates a periodic motion given at N equispaced times. */
-inline Motion interpolate_motion(double period, const Series<3> &positions,
-                                 const Series<9> &rotations, Reals times)
+/** Options of ::pdn_solve_shooting. */
+struct ShootingOptions : pdn_shooting_options {
+    /** With its defaults. */
+    ShootingOptions()
+        : pdn_shooting_options(detail::initialised(pdn_shooting_options_init))
+    {
+    }
+    /** Start the march from this solution of a model with the same nodes and joints, at its time 0
+     * or, of a march, at its first time. */
+    const Solution *initial = nullptr;
+    /** Told of each period of the guess and of each iteration, and about ten times a second while
+     * one lasts; may cancel. */
+    Progress progress;
+    /** As the library takes it, valid while this object stays as it is. */
+    const pdn_shooting_options *get()
+    {
+        pdn_shooting_options::initial = detail::in(initial, "options.initial");
+        pdn_shooting_options::progress = progress ? &detail::progress_fn<Progress> : nullptr;
+        pdn_shooting_options::progress_data = &progress;
+        return this;
+    }
+};
+
+/** Version of the library, such as "0.1.0". */
+inline std::string version()
 {
-    detail::check_motion(positions, rotations);
+    return pdn_version();
+}
+
+/** How the library was built: version, profile and platform, for reports of defects. */
+inline std::string build_info()
+{
+    return pdn_build_info();
+}
+
+/** Name of a status, such as "PDN_ERR_NULL". */
+inline std::string status_name(pdn_status status)
+{
+    return pdn_status_name(status);
+}
+
+/** One-line meaning of a status. */
+inline std::string status_message(pdn_status status)
+{
+    return pdn_status_message(status);
+}
+
+/** Sets the message that ::pdn_last_error gives on this thread: for libraries on top of this one,
+ * whose own functions fail. */
+inline void set_last_error(const std::string &message)
+{
+    detail::check(pdn_set_last_error(detail::in(message)));
+}
+
+/** What the last failing callback on this thread returned. */
+inline std::int32_t last_callback_code()
+{
+    return pdn_last_callback_code();
+}
+
+/** Chooses whether internal errors are also printed to stderr. */
+inline void set_panic_printing(bool enabled)
+{
+    pdn_set_panic_printing(detail::in(enabled));
+}
+
+/** Finds the periodic response of a model directly, by Fourier spectral collocation. */
+inline Solution solve_periodic(const Model &model, double period, PeriodicOptions options = {})
+{
+    pdn_solution *out = nullptr;
+    const pdn_status status = pdn_solve_periodic(model.get(), period,
+        options.get(static_cast<std::size_t>(model.node_count())), &out);
+    Solution made(out, model.kept());
+    detail::check(status);
+    return made;
+}
+
+/** Finds a periodic response that meets conditions, and the values of as many free parameters. */
+inline Solution solve_conditioned(const Model &model, double period, const Conditions &conditions,
+    PeriodicOptions options = {})
+{
+    pdn_solution *out = nullptr;
+    const pdn_status status = pdn_solve_conditioned(model.get(), period, conditions.get(),
+        options.get(static_cast<std::size_t>(model.node_count())), &out);
+    Solution made(out, model.kept());
+    detail::check(status);
+    return made;
+}
+
+/** Follows periodic motions along a parameter, through folds, from the response at its value in the
+ * model. */
+inline Branch follow_branch(const Model &model, double period, std::int32_t parameter,
+    BranchOptions options)
+{
+    pdn_branch *out = nullptr;
+    const pdn_status status = pdn_follow_branch(model.get(), period, parameter,
+        options.get(static_cast<std::size_t>(model.node_count())), &out);
+    Branch made(out, model.kept());
+    detail::check(status);
+    return made;
+}
+
+/** Finds the response over a range of frequencies, through folds: ::pdn_follow_branch along
+ * PDN_FREQUENCY. */
+inline Branch solve_frequency_response(const Model &model, double first, double last,
+    BranchOptions options = {})
+{
+    pdn_branch *out = nullptr;
+    const pdn_status status = pdn_solve_frequency_response(model.get(), first, last,
+        options.get(static_cast<std::size_t>(model.node_count())), &out);
+    Branch made(out, model.kept());
+    detail::check(status);
+    return made;
+}
+
+/** Follows the other branch at a point where one begins: a branch point, or a period doubling, from
+ * where motions have twice the period, on one grid point less than twice as many. */
+inline Branch switch_branch(const Branch &branch, std::int32_t point, double amplitude,
+    BranchOptions options)
+{
+    pdn_branch *out = nullptr;
+    const pdn_status status = pdn_switch_branch(branch.get(), point, amplitude, options.get(0),
+        &out);
+    Branch made(out, branch.kept());
+    detail::check(status);
+    return made;
+}
+
+/** Follows folds, period doublings or torus points along a second parameter, from one of them on a
+ * branch: that of the branch is free beside it. */
+inline Branch follow_locus(const Branch &branch, std::int32_t point, std::int32_t parameter,
+    BranchOptions options)
+{
+    pdn_branch *out = nullptr;
+    const pdn_status status = pdn_follow_locus(branch.get(), point, parameter, options.get(0),
+        &out);
+    Branch made(out, branch.kept());
+    detail::check(status);
+    return made;
+}
+
+/** Follows a branch on from its last point, in the direction in which it came there: with a wider
+ * range, more points, a shorter smallest step. */
+inline Branch continue_branch(const Branch &branch, BranchOptions options)
+{
+    pdn_branch *out = nullptr;
+    const pdn_status status = pdn_continue_branch(branch.get(), options.get(0), &out);
+    Branch made(out, branch.kept());
+    detail::check(status);
+    return made;
+}
+
+/** Finds an equilibrium at one time: of forces at rest, or in steady rotation. */
+inline Solution solve_static(const Model &model, StaticOptions options = {})
+{
+    pdn_solution *out = nullptr;
+    const pdn_status status = pdn_solve_static(model.get(), options.get(), &out);
+    Solution made(out, model.kept());
+    detail::check(status);
+    return made;
+}
+
+/** Finds an equilibrium and the modes of small motions `Re(x exp(s t))` about it. */
+inline Modes solve_modes(const Model &model, ModesOptions options = {})
+{
+    pdn_modes *out = nullptr;
+    const pdn_status status = pdn_solve_modes(model.get(), options.get(), &out);
+    Modes made(out, model.kept());
+    detail::check(status);
+    return made;
+}
+
+/** Marches a model in time, for a given duration or until its motion repeats itself. */
+inline Solution march(const Model &model, MarchOptions options)
+{
+    pdn_solution *out = nullptr;
+    const pdn_status status = pdn_march(model.get(),
+        options.get(static_cast<std::size_t>(model.node_count())), &out);
+    Solution made(out, model.kept());
+    detail::check(status);
+    return made;
+}
+
+/** Finds the periodic response of a model by shooting: Newton's method on the period map of
+ * ::pdn_march. */
+inline Solution solve_shooting(const Model &model, double period, ShootingOptions options = {})
+{
+    pdn_solution *out = nullptr;
+    const pdn_status status = pdn_solve_shooting(model.get(), period, options.get(), &out);
+    Solution made(out, model.kept());
+    detail::check(status);
+    return made;
+}
+
+/** Finds the Floquet multipliers of a periodic solution: what small disturbances are multiplied by
+ * in a period. */
+inline Stability solve_stability(const Solution &solution, StabilityOptions options = {})
+{
+    pdn_stability *out = nullptr;
+    const pdn_status status = pdn_solve_stability(solution.get(), options.get(), &out);
+    Stability made(out, solution.kept());
+    detail::check(status);
+    return made;
+}
+
+/** What motion_interpolate gives. */
+struct MotionInterpolate {
+    /** Position. */
+    Series<3> position;
+    /** Each matrix column by column. */
+    Series<9> rotation;
+    /** Linear and angular velocity along the moving axes. */
+    Series<6> velocity;
+    /** Time derivative of velocity. */
+    Series<6> acceleration;
+};
+
+/** Interpolates a periodic motion given at N equispaced times, by dual polar decomposition. */
+inline MotionInterpolate motion_interpolate(double period, const Series<3> &positions,
+    const Series<9> &rotations, const std::vector<double> &times)
+{
+    const std::size_t points = detail::common({{"positions", positions.size()},
+        {"rotations", rotations.size()}}, false);
     const std::size_t count = times.size();
-    Motion out{Series<3>(count), Series<9>(count), Series<6>(count), Series<6>(count)};
-    detail::check(pdn_motion_interpolate(
-        period, detail::flat(positions), detail::flat(rotations), positions.size(), times.data(),
-        count, detail::flat(out.positions), detail::flat(out.rotations),
-        detail::flat(out.velocities), detail::flat(out.accelerations)));
-    return out;
+    Series<3> position(count);
+    Series<9> rotation(count);
+    Series<6> velocity(count);
+    Series<6> acceleration(count);
+    detail::check(pdn_motion_interpolate(period, detail::in(positions), detail::in(rotations),
+        points, detail::in(times), count, detail::flat(position), detail::flat(rotation),
+        detail::flat(velocity), detail::flat(acceleration)));
+    return {std::move(position), std::move(rotation), std::move(velocity), std::move(acceleration)};
 }
 
-/** Differentiates a periodic motion at its own grid points. */
-inline GridKinematics motion_grid_kinematics(double period, const Series<3> &positions,
-                                             const Series<9> &rotations, bool tangents = false)
+/** What motion_grid_kinematics gives. */
+struct MotionGridKinematics {
+    /** Linear and angular velocity along the moving axes. */
+    Series<6> velocity;
+    /** Time derivative of velocity. */
+    Series<6> acceleration;
+    /** Matrix of 6 N x 6 N, column-major. */
+    std::vector<double> velocity_tangent;
+    /** Matrix of 6 N x 6 N, column-major. */
+    std::vector<double> acceleration_tangent;
+};
+
+/** Velocities and accelerations of a motion at its own grid points, and their exact
+ * linearisation. */
+inline MotionGridKinematics motion_grid_kinematics(double period, const Series<3> &positions,
+    const Series<9> &rotations)
 {
-    detail::check_motion(positions, rotations);
-    const std::size_t points = positions.size();
-    const std::size_t entries = tangents ? 36 * points * points : 0;
-    GridKinematics out{Series<6>(points), Series<6>(points), std::vector<double>(entries),
-                       std::vector<double>(entries)};
-    detail::check(
-        pdn_motion_grid_kinematics(period, detail::flat(positions), detail::flat(rotations), points,
-                                   detail::flat(out.velocities), detail::flat(out.accelerations),
-                                   tangents ? out.velocity_tangent.data() : nullptr,
-                                   tangents ? out.acceleration_tangent.data() : nullptr));
-    return out;
+    const std::size_t points = detail::common({{"positions", positions.size()},
+        {"rotations", rotations.size()}}, false);
+    Series<6> velocity(points);
+    Series<6> acceleration(points);
+    std::vector<double> velocity_tangent(6 *points *6 *points);
+    std::vector<double> acceleration_tangent(6 *points *6 *points);
+    detail::check(pdn_motion_grid_kinematics(period, detail::in(positions), detail::in(rotations),
+        points, detail::flat(velocity), detail::flat(acceleration), velocity_tangent.data(),
+        acceleration_tangent.data()));
+    return {std::move(velocity), std::move(acceleration), std::move(velocity_tangent),
+        std::move(acceleration_tangent)};
 }
+// END
 
 } // namespace periodyn
 
@@ -3449,12 +4065,9 @@ template <class Derived>
 std::array<double, Derived::RowsAtCompileTime * Derived::ColsAtCompileTime>
 array(const Eigen::MatrixBase<Derived> &matrix)
 {
-    std::array<double, Derived::RowsAtCompileTime * Derived::ColsAtCompileTime> out;
-    for (Eigen::Index column = 0; column < matrix.cols(); ++column) {
-        for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
-            out[static_cast<std::size_t>(column * matrix.rows() + row)] = matrix(row, column);
-        }
-    }
+    constexpr int rows = Derived::RowsAtCompileTime, columns = Derived::ColsAtCompileTime;
+    std::array<double, rows * columns> out;
+    Eigen::Map<Eigen::Matrix<double, rows, columns>>(out.data()) = matrix;
     return out;
 }
 

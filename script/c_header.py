@@ -1,25 +1,44 @@
 """What include/periodyn.h declares, as data: bindings of other languages are written from it."""
 
 import re
+import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 HEADER = ROOT / "include/periodyn.h"
 
+# What those who do not say it mean, in languages where parameters may be left out.
+DEFAULTS = {
+    "pdn_sensitivities_add_quantity": {"at": 0.0},
+    "pdn_conditions_add_quantity": {"scale": 0.0},
+    "pdn_shell_section_set_isotropic": {"drilling": 1.0, "drilling_gradient": 0.1},
+    "pdn_model_add_shell": {"join": 1},
+    "pdn_model_add_shell_grid": {"join": 1},
+    "pdn_signal_set_harmonics": {"mean": 0.0, "rate": 0.0},
+    "pdn_signal_set_samples": {"rate": 0.0},
+    "pdn_model_add_spring_damper": {"damping": 0.0, "rest": 0.0},
+    "pdn_model_add_nonlinear_spring_damper": {"rest": 0.0},
+    "pdn_equations_update": {"step": 1.0},
+    "pdn_equations_solution": {"root": -1},
+}
+
 DOCUMENTED = r"/\*\*((?:(?!\*/).)*?)\*/\s*"
 ARGUMENTS = r"\(([^()]*)\);"
-# Arguments that other languages may leave out, and what that means.
-DEFAULTS = {"pdn_sensitivities_add_quantity": {"at": 0.0},
-            "pdn_shell_section_set_isotropic": {"drilling": 1.0, "drilling_gradient": 0.1},
-            "pdn_model_add_shell": {"join": 1},
-            "pdn_model_add_shell_grid": {"join": 1},
-            "pdn_signal_set_harmonics": {"mean": 0.0, "rate": 0.0},
-            "pdn_signal_set_samples": {"rate": 0.0},
-            "pdn_model_add_spring_damper": {"damping": 0.0, "rest": 0.0},
-            "pdn_model_add_nonlinear_spring_damper": {"rest": 0.0},
-            "pdn_conditions_add_quantity": {"scale": 0.0},
-            "pdn_equations_update": {"step": 1.0},
-            "pdn_equations_solution": {"root": -1}}
+
+
+def class_name(c_name):
+    """A name of C as that of a class."""
+    return "".join(part.capitalize() for part in c_name.removeprefix("pdn_").split("_"))
+
+
+def write(path, text):
+    """Writes a file; with --check only says whether it is what would be written."""
+    script, name = Path(sys.argv[0]).name, path.relative_to(ROOT)
+    changed = not path.exists() or path.read_text() != text
+    if sys.argv[1:] == ["--check"]:
+        sys.exit(f"{name} is not what periodyn.h says: run script/{script}" if changed else 0)
+    if changed:
+        path.write_text(text)
 
 
 def text_of(comment):
@@ -96,4 +115,47 @@ class Header:
             parameter["extents"] = extents_of(shaped) if parameter["stars"] else []
             parameters.append(parameter)
         return {"name": name, "result": result, "summary": re.split(r"\.(?: |$)", doc)[0],
-                "doc": doc, "parameters": parameters}
+                "doc": doc, "parameters": parameters, "arguments": " ".join(arguments.split())}
+
+
+class Binding:
+    """A function of C, for another language: a subclass has a method for each kind of parameter."""
+
+    def __init__(self, header, function):
+        self.header, self.function = header, function
+        self.name, self.parameters = function["name"], function["parameters"]
+
+    def said(self, i):
+        """What is said of a parameter; "likewise" and "as cosines" refer to the one before."""
+        said = self.parameters[i]["said"]
+        if said.startswith("as cosines") or re.match(r"array of length \[\w+\]; likewise", said):
+            return self.parameters[i - 1]["said"]
+        return said
+
+    def kind(self, p):
+        """The kind of a parameter."""
+        base, const, new = p["base"], p["const"], "" if p["const"] else "new_"
+        if base == "void":
+            return "data"
+        if base in self.header.callback_names:
+            return "callback"
+        if base == "char":
+            return "text" if const else "buffer"
+        if base in self.header.opaque:
+            return "handle" if p["stars"] == 1 else "new_handle"
+        if base == "pdn_signal" and const:
+            return "several_signals" if p["structs"] else "signal"
+        if base in self.header.structs:
+            kind = "several_structs" if p["structs"] else "struct"
+            return "options" if p["name"] == "options" else f"{new}{kind}"
+        if p["stars"] == 0:
+            return "number"
+        return f"{new}{'array' if const or p['array'] else 'number'}"
+
+    @staticmethod
+    def extents(said):
+        """How many there are of what an array has, slowest first: count, 3 for "3 x [count]"."""
+        if "matrix of 6 N x 6 N" in said:
+            return ["6 N", "6 N"]
+        found = re.search(r"array of (?:length|shape) ((?:\d+|C\b|\[[^]]+\])(?: x \[\w+\])?)", said)
+        return re.findall(r"\d+|C\b|(?!x )[A-Za-z_]\w*(?: \+ 1)?", found[1])[::-1] if found else []

@@ -20,7 +20,7 @@ int main()
                        [=](double time) { return 0.6 * std::cos(omega * time); });
         const auto solution = periodyn::solve_periodic(model, 2 * std::acos(-1.0) / omega);
         const auto angle = solution.sample(
-            {periodyn::Kind::coordinate, hinge, periodyn::Coordinate::rotation}, {0})[0];
+            {periodyn::Kind::joint_coordinate, hinge, periodyn::Coordinate::rotation}, {0})[0];
         std::cout << "angle at the start " << angle << ", expected " << expected << '\n';
         return solution.converged() && std::abs(angle - expected) < 1e-6 ? 0 : 1;
     } catch (const periodyn::error &failure) {

@@ -79,7 +79,8 @@ inline std::array<double, 2> oscillator_angle(double stiffness = 3, double dampi
 
 inline pdn::Section steel()
 {
-    return pdn::Section({53e6, 17e6, 17e6, 730, 1130, 1130}, {2, 85e-6, 43e-6, 43e-6});
+    return pdn::Section().set_diagonal({53e6, 17e6, 17e6, 730, 1130, 1130},
+                                       {2, 85e-6, 43e-6, 43e-6});
 }
 
 #endif

@@ -54,15 +54,16 @@ static void throwing()
         Oscillator o;
         o.model.add_user_force({o.body}, Frame::space, pdn::Tangents::differenced,
                                [](const pdn::ForceState &state, pdn::ForceValues &values) {
-                                   values.force(state.node_count(), 0) = 1;
+                                   values.forces(0, state.node_count) = 1;
                                });
         THROWS(pdn::solve_periodic(o.model, period), std::out_of_range,
-               std::string(e.what()).find("ForceValues") == 0);
+               std::string(e.what()) == "Entries: index 1 is not below 1");
     }
     {
         pdn::Model model;
         THROWS(model.add_beam(
-                   pdn::Line::curve([](double, pdn::Vector3 &, pdn::Vector3 &) { throw Mine{1}; }),
+                   pdn::Line().set_curve(
+                       [](double) -> std::pair<pdn::Vector3, pdn::Vector3> { throw Mine{1}; }),
                    steel(), 2, 2),
                Mine, e.number == 1);
         CHECK(model.node_count() == 0);
@@ -95,13 +96,14 @@ static void throwing()
 // A law and user forces give what the linear elements give, with and without tangents.
 static void laws_and_forces()
 {
-    const auto moment = pdn::Signal::harmonics(0, 0, {0.6}, {0});
+    const auto moment = pdn::Signal().set_harmonics(0, 0, {0.6}, {0});
     const auto expected = oscillator_angle(5, 0.3)[0];
     const auto angle = [&](Oscillator &o) {
         o.model.add_load(o.body, Frame::space, Component::moment_3, moment);
         const auto solution = pdn::solve_periodic(o.model, period);
         CHECK(solution.converged());
-        return solution.sample({pdn::Kind::coordinate, o.hinge, Coordinate::rotation}, {0})[0];
+        return solution.sample({pdn::Kind::joint_coordinate, o.hinge, Coordinate::rotation},
+                               {0})[0];
     };
     {
         Oscillator o;
@@ -124,20 +126,20 @@ static void laws_and_forces()
         const auto force = o.model.add_user_force(
             {o.body}, Frame::material, pdn::Tangents::given,
             [](const pdn::ForceState &state, pdn::ForceValues &values) {
-                CHECK(state.node_count() == 1 && state.time() >= 0);
-                CHECK(std::abs(state.position(0)[0]) < 1);
-                const auto rotation = state.rotation(0);
-                values.force(0, 5) =
-                    -2 * std::atan2(rotation[1], rotation[0]) - 0.1 * state.velocity(0)[5];
-                if (values.tangents_wanted()) {
-                    values.by_motion(0, 5, 0, 5) = -2;
-                    values.by_velocity(0, 5, 0, 5) = -0.1;
+                CHECK(state.node_count == 1 && state.time >= 0);
+                CHECK(std::abs(state.positions(0, 0)) < 1);
+                values.forces(5, 0) =
+                    -2 * std::atan2(state.rotations(1, 0), state.rotations(0, 0)) -
+                    0.1 * state.velocities(5, 0);
+                if (values.by_motion) {
+                    values.by_motion(5, 0, 5, 0) = -2;
+                    values.by_velocity(5, 0, 5, 0) = -0.1;
                 }
             });
         NEAR(angle(o), expected, 1e-12);
         const auto check = o.model.check_tangents(force, period);
-        CHECK(check.tangent == pdn::detail::c(pdn::Tangent::motion) ||
-              check.tangent == pdn::detail::c(pdn::Tangent::velocity));
+        CHECK(check.tangent == pdn::detail::in(pdn::Tangent::motion) ||
+              check.tangent == pdn::detail::in(pdn::Tangent::velocity));
     }
 }
 
@@ -156,9 +158,8 @@ static void lifetimes()
         const auto hinge = model->hinge;
         model.reset();
         CHECK(token.use_count() == 3); // the solution has a copy of the model
-        CHECK(
-            solution->sample({pdn::Kind::coordinate, hinge, Coordinate::rotation}, {0.1}).size() ==
-            1);
+        CHECK(solution->sample({pdn::Kind::joint_coordinate, hinge, Coordinate::rotation}, {0.1})
+                  .size() == 1);
         solution.reset();
         CHECK(token.use_count() == 1);
     }

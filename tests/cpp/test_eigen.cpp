@@ -24,9 +24,9 @@ int main()
     options.grid_points = 31;
     const auto solution = pdn::solve_periodic(o.model, period, options);
     const auto times = solution.grid_times();
-    const auto velocity = solution.sample<6>({pdn::Kind::velocity, o.body}, times);
+    const auto velocity = solution.sample<6>({pdn::Kind::node_velocity, o.body}, times);
     const auto rate =
-        solution.sample({pdn::Kind::coordinate_rate, o.hinge, pdn::Coordinate::rotation}, times);
+        solution.sample({pdn::Kind::joint_rate, o.hinge, pdn::Coordinate::rotation}, times);
     CHECK(pdn::view(velocity).cols() == 31 && pdn::view(velocity).rows() == 6);
     CHECK((pdn::view(velocity).row(5).transpose() - pdn::view(rate)).norm() < 1e-12);
     CHECK(pdn::view(rate).norm() > 0.1);

@@ -62,7 +62,7 @@ static pdn::Model model_of_callbacks(std::int32_t &hinge)
     o.model.add_user_force({o.body}, Frame::space, pdn::Tangents::differenced,
                            [](const pdn::ForceState &state, pdn::ForceValues &values) {
                                maybe(false);
-                               values.force(0, 5) = -0.1 * state.velocity(0)[5];
+                               values.forces(5, 0) = -0.1 * state.velocities(5, 0);
                            });
     hinge = o.hinge;
     return std::move(o.model);
@@ -129,7 +129,8 @@ static std::vector<double> look(const pdn::Model &model, std::int32_t hinge, con
     plan = {};
     const auto solution = solve(model);
     CHECK(solution.converged());
-    return solution.sample({pdn::Kind::coordinate, hinge, Coordinate::rotation}, {0, 0.11, 0.4});
+    return solution.sample({pdn::Kind::joint_coordinate, hinge, Coordinate::rotation},
+                           {0, 0.11, 0.4});
 }
 
 // The call at which something was thrown that came out, or nothing if nothing did.

@@ -21,15 +21,16 @@ int main()
     const auto solution = pdn::solve_periodic(o.model, period);
 
     pdn::Table table({0, 0.5, 1});
-    table.add(solution, {pdn::Kind::coordinate, o.hinge, pdn::Coordinate::rotation}, "angle");
+    table.add_quantity(solution, {pdn::Kind::joint_coordinate, o.hinge, pdn::Coordinate::rotation},
+                       "angle");
     table.add_values("mine", {1, 2, 3});
     table.write_csv("own.csv");
     std::istringstream rows(content("own.csv"));
     std::string head;
     std::getline(rows, head);
     CHECK(head == "t,angle,mine");
-    const auto angle =
-        solution.sample({pdn::Kind::coordinate, o.hinge, pdn::Coordinate::rotation}, {0, 0.5, 1});
+    const auto angle = solution.sample(
+        {pdn::Kind::joint_coordinate, o.hinge, pdn::Coordinate::rotation}, {0, 0.5, 1});
     for (std::size_t k = 0; k < 3; ++k) {
         double t, value, mine;
         char comma;
@@ -38,21 +39,22 @@ int main()
               mine == static_cast<double>(k + 1));
     }
 
-    const pdn::Quantity turn(pdn::Kind::coordinate, o.hinge, pdn::Coordinate::rotation);
+    const pdn::Quantity turn(pdn::Kind::joint_coordinate, o.hinge, pdn::Coordinate::rotation);
     CHECK(solution.sample(turn, {0, 0.5, 1}) == angle);
     const auto extremes = solution.extremes(turn);
     CHECK(extremes.smallest[0] < angle[1] && angle[1] < extremes.largest[0]);
     const auto waves = solution.harmonics(turn, 2);
-    CHECK(waves.components == 1 && waves.cosines.size() == 2 && waves.rate[0] == 0);
-    pdn::Quantity spin(pdn::Kind::velocity, o.body);
-    CHECK(spin.is_whole() && solution.sample(spin, {0, 0.5}).size() == 12);
+    CHECK(waves.mean.size() == 1 && waves.cosines.size() == 2 && waves.rate[0] == 0);
+    pdn::Quantity spin(pdn::Kind::node_velocity, o.body);
+    CHECK(spin.component == pdn::all_components && solution.sample(spin, {0, 0.5}).size() == 12);
     spin.component = 6;
     REFUSED(solution.sample(spin, {0}), PDN_ERR_VALUE, "quantity: component: ");
-    table.add(solution, turn, "turn");
+    table.add_quantity(solution, turn, "turn");
 
-    table.add(solution, {pdn::Kind::position, o.body});
-    table.add(solution, {pdn::Kind::reaction, o.hinge});
-    table.add(solution, pdn::Quantity(pdn::Kind::force_on_node, o.spring).on(o.body), "pull");
+    table.add_quantity(solution, {pdn::Kind::node_position, o.body});
+    table.add_quantity(solution, {pdn::Kind::joint_reaction, o.hinge});
+    table.add_quantity(solution,
+                       pdn::Quantity(pdn::Kind::force_on_node, o.spring).with_node(o.body), "pull");
     table.write_csv("more.csv");
     const std::string more = content("more.csv");
     CHECK(more.find("node0.position.x") != std::string::npos);
@@ -62,15 +64,15 @@ int main()
     const auto beam = cantilever.add_straight_beam(origin, axis_1, axis_2, steel(), 2, 1);
     cantilever.add_rigid_joint(pdn::ground, beam.first, origin);
     const auto bent = pdn::solve_static(cantilever);
-    table.add(bent, {pdn::Kind::beam_force, beam.first_element}, "root");
+    table.add_quantity(bent, {pdn::Kind::beam_force, beam.first_element}, "root");
     bent.write_vtk({0}, 3, "bent.pvd");
     CHECK(content("bent.pvd").find("VTKFile") != std::string::npos);
 
     // What is loaded is what was saved, and can be solved again.
     bent.save("bent.pdn");
     const pdn::Solution loaded = pdn::Solution::load("bent.pdn");
-    CHECK(loaded.sample<3>({pdn::Kind::position, beam.last}, {0}) ==
-          bent.sample<3>({pdn::Kind::position, beam.last}, {0}));
+    CHECK(loaded.sample<3>({pdn::Kind::node_position, beam.last}, {0}) ==
+          bent.sample<3>({pdn::Kind::node_position, beam.last}, {0}));
     CHECK(loaded.report() == bent.report());
     pdn::Model again = loaded.model();
     CHECK(again.element_count() == 2);
@@ -83,15 +85,20 @@ int main()
     const double none = std::numeric_limits<double>::quiet_NaN();
     REFUSED(pdn::Table({}), PDN_ERR_SIZE, "count: ");
     REFUSED(pdn::Table({none}), PDN_ERR_NOT_FINITE, "times");
-    REFUSED(table.add(solution, {pdn::Kind::position, 4}, "x"), PDN_ERR_ID, "quantity.object: ");
-    REFUSED(table.add(solution, {pdn::Kind::position, o.body}), PDN_ERR_VALUE, "label: ");
-    REFUSED(
-        table.add(solution, {pdn::Kind::coordinate_rate, o.hinge, pdn::Coordinate::displacement}),
-        PDN_ERR_NOT_AVAILABLE, "coordinate: ");
-    REFUSED(table.add(solution, {pdn::Kind::reaction, 5}), PDN_ERR_ID, "quantity.object: ");
-    REFUSED(table.add(bent, pdn::Quantity(pdn::Kind::beam_force, beam.first_element).at(3)),
+    REFUSED(table.add_quantity(solution, {pdn::Kind::node_position, 4}, "x"), PDN_ERR_ID,
+            "quantity.object: ");
+    REFUSED(table.add_quantity(solution, {pdn::Kind::node_position, o.body}), PDN_ERR_VALUE,
+            "label: ");
+    REFUSED(table.add_quantity(solution,
+                               {pdn::Kind::joint_rate, o.hinge, pdn::Coordinate::displacement}),
+            PDN_ERR_NOT_AVAILABLE, "coordinate: ");
+    REFUSED(table.add_quantity(solution, {pdn::Kind::joint_reaction, 5}), PDN_ERR_ID,
+            "quantity.object: ");
+    REFUSED(table.add_quantity(
+                bent, pdn::Quantity(pdn::Kind::beam_force, beam.first_element).with_station(3)),
             PDN_ERR_VALUE, "station: ");
-    REFUSED(table.add(solution, {pdn::Kind::effort, 8}), PDN_ERR_ID, "quantity.object: ");
+    REFUSED(table.add_quantity(solution, {pdn::Kind::force_effort, 8}), PDN_ERR_ID,
+            "quantity.object: ");
     REFUSED(table.add_values("short", {1}), PDN_ERR_SIZE, "count: ");
     REFUSED(table.write_csv("no/such/place.csv"), PDN_ERR_IO, "path: ");
     REFUSED(bent.write_vtk({0}, 1, "bent.pvd"), PDN_ERR_SIZE, "points_per_element: ");
