@@ -172,7 +172,7 @@ static int march(double tau_over_T, double step, size_t turns, FILE *file)
     if (build(tau_over_T * period, &m) != 0 || eigenvalue(&m, &decay, &frequency) != 0) {
         goto done;
     }
-    TRY(pdn_march(m.model, &options, &solution));
+    TRY(pdn_solve_march(m.model, &options, &solution));
     if (pdn_solution_outcome(solution) != PDN_CONVERGED ||
         !(theta = sample(&m, solution, options.duration, count, file))) {
         fprintf(stderr, "the march ended early\n");

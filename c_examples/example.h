@@ -121,7 +121,7 @@ static inline int check_by_march(const pdn_model *model, const pdn_solution *sol
     options.duration = options.period = period;
     for (int i = 0; i < 2; ++i) {
         options.steps_per_period = (size_t)(i + 1) * steps;
-        TRY(pdn_march(model, &options, &march[i]));
+        TRY(pdn_solve_march(model, &options, &march[i]));
     }
     if (largest_distance(solution, march[1], node, period, &away) != 0 ||
         largest_distance(march[0], march[1], node, period, &apart) != 0) {

@@ -82,7 +82,7 @@ int main(int argc, char **argv)
         options.steps_per_period = steps;
         options.duration = 3 * period;
         start = 2 * period;
-        TRY(pdn_march(model, &options, &solution));
+        TRY(pdn_solve_march(model, &options, &solution));
     } else {
         pdn_periodic_options options;
         PDN_INIT(pdn_periodic_options, &options);

@@ -3425,13 +3425,13 @@ module periodyn_c
         end subroutine pdn_march_options_init
 
         ! Marches a model in time, for a given duration or until its motion repeats itself
-        function pdn_march(model, options, out) bind(C, name="pdn_march")
+        function pdn_solve_march(model, options, out) bind(C, name="pdn_solve_march")
             import
             type(c_ptr), value :: model
             type(pdn_march_options), intent(in) :: options
             type(c_ptr), intent(inout) :: out
-            integer(c_int32_t) :: pdn_march
-        end function pdn_march
+            integer(c_int32_t) :: pdn_solve_march
+        end function pdn_solve_march
 
         ! Prepares a struct for ::pdn_solution_march; use `PDN_INIT(pdn_march_diagnostics,
         ! &diagnostics)`
@@ -3460,7 +3460,7 @@ module periodyn_c
         end subroutine pdn_shooting_options_init
 
         ! Finds the periodic response of a model by shooting: Newton's method on the period map of
-        ! ::pdn_march
+        ! ::pdn_solve_march
         function pdn_solve_shooting(model, period, options, &
             out) bind(C, name="pdn_solve_shooting")
             import
@@ -3972,7 +3972,7 @@ module periodyn
         procedure, public :: solve_frequency_response => model_solve_frequency_response
         procedure, public :: solve_static => model_solve_static
         procedure, public :: solve_modes => model_solve_modes
-        procedure, public :: march => model_march
+        procedure, public :: solve_march => model_solve_march
         procedure, public :: solve_shooting => model_solve_shooting
         procedure, public :: summary => model_summary
         procedure, public :: describe => model_describe
@@ -4156,15 +4156,15 @@ module periodyn
         model_relation_term_count, model_relation_term, model_sample_signal, model_load_count, &
         model_load_at, model_beam_load_count, model_beam_load, model_beam_load_factor, &
         model_shell_load_count, model_shell_load, model_solve_conditioned, model_follow_branch, &
-        model_solve_frequency_response, model_solve_static, model_solve_modes, model_march, &
-        model_solve_shooting, model_summary, model_describe, model_copy, model_save, model_load, &
-        modes_outcome, modes_converged, modes_report, modes_count, modes_get, modes_shape, &
-        modes_motion, modes_equilibrium, sensitivities_new, sensitivities_add_quantity, &
-        sensitivities_add_found, sensitivities_add_parameter, solution_outcome, &
-        solution_converged, solution_report, solution_diagnostics, solution_history, &
-        solution_decay, solution_sharp_event_count, solution_sharp_events, solution_grid_times, &
-        solution_sample, solution_sample_flat, solution_harmonics, solution_extremes, &
-        solution_filtered, solution_parameter, solution_sensitivities, &
+        model_solve_frequency_response, model_solve_static, model_solve_modes, &
+        model_solve_march, model_solve_shooting, model_summary, model_describe, model_copy, &
+        model_save, model_load, modes_outcome, modes_converged, modes_report, modes_count, &
+        modes_get, modes_shape, modes_motion, modes_equilibrium, sensitivities_new, &
+        sensitivities_add_quantity, sensitivities_add_found, sensitivities_add_parameter, &
+        solution_outcome, solution_converged, solution_report, solution_diagnostics, &
+        solution_history, solution_decay, solution_sharp_event_count, solution_sharp_events, &
+        solution_grid_times, solution_sample, solution_sample_flat, solution_harmonics, &
+        solution_extremes, solution_filtered, solution_parameter, solution_sensitivities, &
         solution_multiplier_sensitivities, solution_march, solution_floquet_count, &
         solution_floquet, solution_solve_stability, solution_write_vtk, solution_save, &
         solution_load, solution_model, stability_outcome, stability_converged, &
@@ -7528,8 +7528,8 @@ contains
     end subroutine model_solve_modes
 
     ! Marches a model in time, for a given duration or until its motion repeats itself.
-    subroutine model_march(self, solution, options, initial, positions, rotations, velocities, &
-        stat, errmsg)
+    subroutine model_solve_march(self, solution, options, initial, positions, rotations, &
+        velocities, stat, errmsg)
         class(pdn_model), intent(in) :: self
         type(pdn_solution), intent(inout) :: solution
         type(pdn_march_options), intent(in) :: options
@@ -7559,13 +7559,13 @@ contains
                 errmsg)) return
             chosen%velocities = c_loc(velocities)
         end if
-        status = pdn_march(self%c, chosen, made)
+        status = pdn_solve_march(self%c, chosen, made)
         if (status == PDN_OK) call solution%adopt(made, pdn_solution_free)
         call report(status, stat, errmsg)
-    end subroutine model_march
+    end subroutine model_solve_march
 
     ! Finds the periodic response of a model by shooting: Newton's method on the period map of
-    ! march.
+    ! solve_march.
     subroutine model_solve_shooting(self, period, solution, options, initial, stat, errmsg)
         class(pdn_model), intent(in) :: self
         real(c_double), intent(in) :: period

@@ -1249,7 +1249,7 @@ typedef struct pdn_sensitivities pdn_sensitivities;
 
 /**
  * A solution, converged or not. Made by ::pdn_solve_periodic, ::pdn_solve_static,
- * ::pdn_march and ::pdn_modes_motion, freed by ::pdn_solution_free.
+ * ::pdn_solve_march and ::pdn_modes_motion, freed by ::pdn_solution_free.
  *
  * That of a march is a trajectory: the same functions give its quantities at times from its first
  * to its last (PDN_ERR_VALUE for any other), but it has no harmonics (PDN_ERR_NOT_AVAILABLE).
@@ -3075,7 +3075,7 @@ typedef struct pdn_mode {
 } pdn_mode;
 
 /**
- * Options of ::pdn_march. Set the defaults by `PDN_INIT(pdn_march_options, &options)`.
+ * Options of ::pdn_solve_march. Set the defaults by `PDN_INIT(pdn_march_options, &options)`.
  *
  * There is no default of how long to march and in which steps: set duration or periodic_tolerance,
  * and step or steps_per_period.
@@ -8423,9 +8423,9 @@ void pdn_march_options_init(struct pdn_march_options *options,
  * @since 0.1
  */
 PDN_API
-pdn_status pdn_march(const struct pdn_model *model,
-                     const struct pdn_march_options *options,
-                     struct pdn_solution **out);
+pdn_status pdn_solve_march(const struct pdn_model *model,
+                           const struct pdn_march_options *options,
+                           struct pdn_solution **out);
 
 /**
  * Prepares a struct for ::pdn_solution_march; use `PDN_INIT(pdn_march_diagnostics, &diagnostics)`.
@@ -8444,7 +8444,7 @@ void pdn_march_diagnostics_init(struct pdn_march_diagnostics *diagnostics,
  * Figures of a march: steps, periods, how much the last of them differ, how much the start was
  * changed.
  *
- * @param solution  a solution of ::pdn_march; not NULL
+ * @param solution  a solution of ::pdn_solve_march; not NULL
  * @param out  initialised by PDN_INIT; filled on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_AVAILABLE (the solution is no
  *     trajectory)
@@ -8471,7 +8471,7 @@ void pdn_shooting_options_init(struct pdn_shooting_options *options,
 
 /**
  * Finds the periodic response of a model by shooting: Newton's method on the period map of
- * ::pdn_march.
+ * ::pdn_solve_march.
  *
  * What is found is the periodic motion of the marching scheme, of second order in its step; the
  * derivative of the map is exact. It needs time and memory that grow with the square of the number
@@ -8508,7 +8508,7 @@ pdn_status pdn_solve_shooting(const struct pdn_model *model,
  * which is called with default options unless it has been before.
  *
  * @param solution  a solution of ::pdn_solve_periodic, or one like it, that has converged, of
- *     ::pdn_solve_shooting or of ::pdn_march; not NULL
+ *     ::pdn_solve_shooting or of ::pdn_solve_march; not NULL
  * @param out  the number; zero of a march; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_AVAILABLE (of an equilibrium or a small motion, and of
  *     what has not converged); else as ::pdn_solve_stability

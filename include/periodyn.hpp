@@ -3754,7 +3754,7 @@ struct ModesOptions : pdn_modes_options {
     }
 };
 
-/** Options of ::pdn_march. */
+/** Options of ::pdn_solve_march. */
 struct MarchOptions : pdn_march_options {
     /** With its defaults. */
     MarchOptions()
@@ -3959,10 +3959,10 @@ inline Modes solve_modes(const Model &model, ModesOptions options = {})
 }
 
 /** Marches a model in time, for a given duration or until its motion repeats itself. */
-inline Solution march(const Model &model, MarchOptions options)
+inline Solution solve_march(const Model &model, MarchOptions options)
 {
     pdn_solution *out = nullptr;
-    const pdn_status status = pdn_march(model.get(),
+    const pdn_status status = pdn_solve_march(model.get(),
         options.get(static_cast<std::size_t>(model.node_count())), &out);
     Solution made(out, model.kept());
     detail::check(status);
@@ -3970,7 +3970,7 @@ inline Solution march(const Model &model, MarchOptions options)
 }
 
 /** Finds the periodic response of a model by shooting: Newton's method on the period map of
- * ::pdn_march. */
+ * ::pdn_solve_march. */
 inline Solution solve_shooting(const Model &model, double period, ShootingOptions options = {})
 {
     pdn_solution *out = nullptr;

@@ -537,7 +537,7 @@ impl Session<'_, '_> {
                 options.stored_periods = self.bytes.below(2);
                 options.initial = initial;
                 options.progress = Some(given::progress);
-                call!(pdn_march(self.model, &options, &mut out))
+                call!(pdn_solve_march(self.model, &options, &mut out))
             }
             _ => {
                 self.modes();

@@ -1696,7 +1696,7 @@ class Mode(Struct):
 
 
 class MarchOptions(Struct):
-    """Options of Model.march. Set the defaults by `MarchOptions()`.
+    """Options of Model.solve_march. Set the defaults by `MarchOptions()`.
 
     There is no default of how long to march and in which steps: set duration or
     periodic_tolerance, and step or steps_per_period.
@@ -5507,7 +5507,7 @@ class Model(ModelExtras):
         call(lib.pdn_solve_modes, self._c, options._c, out)
         return Modes._made(out[0], self._kept)
 
-    def march(
+    def solve_march(
         self,
         *,
         start_time=None,
@@ -5617,7 +5617,7 @@ class Model(ModelExtras):
         like("rotations", rotations, (self.node_count(), 3, 3))
         like("velocities", velocities, (self.node_count(), 6))
         out = ffi.new("pdn_solution **")
-        call(lib.pdn_march, self._c, options._c, out)
+        call(lib.pdn_solve_march, self._c, options._c, out)
         return Solution._made(out[0], self._kept)
 
     def solve_shooting(
@@ -5634,7 +5634,7 @@ class Model(ModelExtras):
         memory_limit=None,
     ):
         """Finds the periodic response of a model by shooting: Newton's method on the period map of
-        Model.march.
+        Model.solve_march.
 
         What is found is the periodic motion of the marching scheme, of second order in its
         step; the derivative of the map is exact. It needs time and memory that grow with the
@@ -5883,8 +5883,8 @@ class Sensitivities(Handle):
 
 
 class Solution(SolutionExtras):
-    """A solution, converged or not. Made by Model.solve_periodic, Model.solve_static, Model.march
-    and Modes.motion, freed by Solution.free.
+    """A solution, converged or not. Made by Model.solve_periodic, Model.solve_static,
+    Model.solve_march and Modes.motion, freed by Solution.free.
 
     That of a march is a trajectory: the same functions give its quantities at times from its
     first to its last (ERR_VALUE for any other), but it has no harmonics (ERR_NOT_AVAILABLE).

@@ -68,7 +68,7 @@ def test_control_c_ends_a_solve():
     began = time.monotonic()
     try:
         with pytest.raises(KeyboardInterrupt):
-            model.march(duration=1e6, step=1e-2, period=1.0, stored_periods=1)
+            model.solve_march(duration=1e6, step=1e-2, period=1.0, stored_periods=1)
     finally:
         signal.signal(signal.SIGINT, before)
     timer.join()
@@ -131,7 +131,7 @@ def test_solves_run_on_threads_at_once():
     done = threading.Event()
 
     def solve():
-        model.march(duration=300.0, step=1e-2)
+        model.solve_march(duration=300.0, step=1e-2)
         done.set()
 
     thread = threading.Thread(target=solve)

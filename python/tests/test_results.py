@@ -185,7 +185,7 @@ def test_a_start_that_is_the_motion_itself_is_kept():
                          progress=lambda told: increments.append(told.increment))
     assert len(increments) == 1 and increments[0] < 1e-14
     # Of several nodes a march begins where it is told, too.
-    march = model.march(duration=1e-3, step=1e-3, positions=[[1, 0, 0], [2, 0, 0]],
+    march = model.solve_march(duration=1e-3, step=1e-3, positions=[[1, 0, 0], [2, 0, 0]],
                         rotations=[np.eye(3)] * 2, velocities=[[0, 0.6, 0, 0, 0, 0.6],
                                                                [0, 1.2, 0, 0, 0, 0.6]])
     np.testing.assert_allclose(
@@ -195,10 +195,10 @@ def test_a_start_that_is_the_motion_itself_is_kept():
 
 def test_marches_start_where_they_are_told():
     model, body, *_ = oscillator(damping=0.0, force=0.0)
-    march = model.march(duration=1.0, step=0.01, positions=[[1, 0, 0]], rotations=[np.eye(3)],
+    march = model.solve_march(duration=1.0, step=0.01, positions=[[1, 0, 0]], rotations=[np.eye(3)],
                         velocities=np.zeros((1, 6)))
     assert march.march().steps == 100
     end = march.sample(pdn.Quantity(pdn.NODE_POSITION, body), 1.0)[0, 0]
     assert end == pytest.approx(np.cos(2.0), abs=2e-3)
     with pytest.raises(pdn.Error, match="positions: expected an array of 1 x 3, got 2 x 3"):
-        model.march(duration=1.0, step=0.01, positions=np.zeros((2, 3)))
+        model.solve_march(duration=1.0, step=0.01, positions=np.zeros((2, 3)))

@@ -15,7 +15,7 @@ use crate::solve::{MarchEnd, MarchOptions, MarchStart, NewtonOptions, StartState
 use libc::c_void;
 use nalgebra::{Vector3, Vector6};
 
-/// Options of ::pdn_march. Set the defaults by `PDN_INIT(pdn_march_options, &options)`.
+/// Options of ::pdn_solve_march. Set the defaults by `PDN_INIT(pdn_march_options, &options)`.
 ///
 /// There is no default of how long to march and in which steps: set duration or periodic_tolerance,
 /// and step or steps_per_period.
@@ -144,7 +144,7 @@ pub unsafe extern "C" fn pdn_march_options_init(
 /// `progress` are called on this thread.
 /// @since 0.1
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn pdn_march(
+pub unsafe extern "C" fn pdn_solve_march(
     model: *const pdn_model,
     options: *const pdn_march_options,
     out: *mut *mut pdn_solution,
@@ -329,7 +329,7 @@ pub(super) fn no_trajectory() -> Error {
 /// Figures of a march: steps, periods, how much the last of them differ, how much the start was
 /// changed.
 ///
-/// @param solution  a solution of ::pdn_march; not NULL
+/// @param solution  a solution of ::pdn_solve_march; not NULL
 /// @param out  initialised by PDN_INIT; filled on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_AVAILABLE (the solution is no
 ///     trajectory)

@@ -7,7 +7,7 @@ use super::id::{PDN_FIRST_JOINT, PDN_FIRST_NODE};
 use super::joint::{pdn_model_add_revolute, pdn_model_prescribe};
 use super::last_error::pdn_last_error;
 use super::load::pdn_model_add_load;
-use super::march::{pdn_march, pdn_march_options_init};
+use super::march::{pdn_solve_march, pdn_march_options_init};
 use super::model::{pdn_model, pdn_model_add_rigid_body, pdn_model_free, pdn_model_new};
 use super::modes::{pdn_modes_free, pdn_solve_modes};
 use super::options::Options;
@@ -147,7 +147,7 @@ const ATTEMPTS: [(&str, Attempt); 6] = [
         let mut options: super::march::pdn_march_options = defaults!(pdn_march_options_init);
         (options.duration, options.step, options.period) = (0.2, 0.05, 2.0);
         // SAFETY: as above.
-        unsafe { pdn_march(model, &options, out) }
+        unsafe { pdn_solve_march(model, &options, out) }
     }),
     ("shooting", |model, out| {
         let mut options: super::shooting::pdn_shooting_options =

@@ -80,7 +80,7 @@ pub unsafe extern "C" fn pdn_shooting_options_init(
 }
 
 /// Finds the periodic response of a model by shooting: Newton's method on the period map of
-/// ::pdn_march.
+/// ::pdn_solve_march.
 ///
 /// What is found is the periodic motion of the marching scheme, of second order in its step; the
 /// derivative of the map is exact. It needs time and memory that grow with the square of the number
@@ -161,7 +161,7 @@ fn read_shooting_options(
 /// which is called with default options unless it has been before.
 ///
 /// @param solution  a solution of ::pdn_solve_periodic, or one like it, that has converged, of
-///     ::pdn_solve_shooting or of ::pdn_march; not NULL
+///     ::pdn_solve_shooting or of ::pdn_solve_march; not NULL
 /// @param out  the number; zero of a march; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_AVAILABLE (of an equilibrium or a small motion, and of
 ///     what has not converged); else as ::pdn_solve_stability

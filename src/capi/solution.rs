@@ -16,7 +16,7 @@ use crate::solve::{Iteration, Outcome};
 use libc::c_char;
 
 /// A solution, converged or not. Made by ::pdn_solve_periodic, ::pdn_solve_static,
-/// ::pdn_march and ::pdn_modes_motion, freed by ::pdn_solution_free.
+/// ::pdn_solve_march and ::pdn_modes_motion, freed by ::pdn_solution_free.
 ///
 /// That of a march is a trajectory: the same functions give its quantities at times from its first
 /// to its last (PDN_ERR_VALUE for any other), but it has no harmonics (PDN_ERR_NOT_AVAILABLE).

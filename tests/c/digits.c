@@ -64,7 +64,7 @@ int main(void)
     march.duration = 0.2;
     march.step = 0.02;
     march.period = 2;
-    CHECK_STATUS(pdn_march(model, &march, &solution), PDN_OK);
+    CHECK_STATUS(pdn_solve_march(model, &march, &solution), PDN_OK);
     show("march", solution);
     pdn_model_free(model);
     return 0;

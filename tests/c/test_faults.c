@@ -109,7 +109,7 @@ static pdn_status march(pdn_solution **out)
     options.duration = 0.5;
     options.step = 0.05;
     options.progress = progress;
-    return pdn_march(model, &options, out);
+    return pdn_solve_march(model, &options, out);
 }
 
 static pdn_status shooting(pdn_solution **out)

@@ -103,7 +103,7 @@ static void harmonics_are_weakened(void)
         PDN_INIT(pdn_march_options, &stepwise);
         stepwise.period = stepwise.duration = period;
         stepwise.steps_per_period = 50;
-        CHECK_STATUS(pdn_march(model, &stepwise, &march), PDN_OK);
+        CHECK_STATUS(pdn_solve_march(model, &stepwise, &march), PDN_OK);
         in.solution = march;
         REFUSED(FILTERED, PDN_ERR_NOT_AVAILABLE, "a trajectory has no harmonics");
         pdn_solution_free(march);

@@ -101,7 +101,7 @@ static void trajectories(void)
     const double end = 6.0, late = 6.001;
     in.options.progress = watch;
     in.options.progress_data = &steps_told;
-    CHECK_STATUS(pdn_march(model, &in.options, &solution), PDN_OK);
+    CHECK_STATUS(pdn_solve_march(model, &in.options, &solution), PDN_OK);
     CHECK(pdn_solution_outcome(solution) == PDN_CONVERGED && steps_told == 1200);
     /* Second order, with steps of 0.025 radians of the free vibration. */
     CHECK(error_of(solution, 0, 0) < 1e-4);
@@ -139,7 +139,7 @@ static void trajectories(void)
     in.options.initial = solution;
     in.options.start_time = 6;
     in.options.duration = 1;
-    CHECK_STATUS(pdn_march(model, &in.options, &next), PDN_OK);
+    CHECK_STATUS(pdn_solve_march(model, &in.options, &next), PDN_OK);
     CHECK_STATUS(pdn_solution_grid_times(next, times, 201), PDN_OK);
     CHECK(times[0] == 6 && times[200] == 7);
     x = 0;
@@ -149,7 +149,7 @@ static void trajectories(void)
     CHECK(fabs(x - exact(0, 0, 7)) < 1e-4);
     pdn_solution_free(next);
     in.options.start_time = 6.5;
-    REFUSED(pdn_march(in.model, &in.options, &out.solution), PDN_ERR_VALUE,
+    REFUSED(pdn_solve_march(in.model, &in.options, &out.solution), PDN_ERR_VALUE,
             "options.start_time: times: expected times of the trajectory, from 0 to 6");
     in.options.start_time = 0;
     in.options.duration = 6;
@@ -158,7 +158,7 @@ static void trajectories(void)
     CHECK_STATUS(pdn_solve_periodic(model, in.options.period, NULL, &next), PDN_OK);
     in.options.initial = next;
     pdn_solution_free(solution);
-    CHECK_STATUS(pdn_march(model, &in.options, &solution), PDN_OK);
+    CHECK_STATUS(pdn_solve_march(model, &in.options, &solution), PDN_OK);
     {
         double kept, other;
         CHECK_STATUS(pdn_solution_sample(solution,
@@ -181,18 +181,18 @@ static void trajectories(void)
     in.options.positions = in.positions;
     in.options.rotations = in.rotations;
     in.options.velocities = in.velocities;
-    CHECK_STATUS(pdn_march(model, &in.options, &solution), PDN_OK);
+    CHECK_STATUS(pdn_solve_march(model, &in.options, &solution), PDN_OK);
     CHECK(error_of(solution, 0.2, -0.7) < 1e-3);
     pdn_solution_free(solution);
     in.options.positions = in.options.rotations = NULL;
-    CHECK_STATUS(pdn_march(model, &in.options, &solution), PDN_OK);
+    CHECK_STATUS(pdn_solve_march(model, &in.options, &solution), PDN_OK);
     CHECK(error_of(solution, 0, -0.7) < 1e-3);
     pdn_solution_free(solution);
     in.options.velocities = NULL;
 
     /* Steps by their error. */
     in.options.error_tolerance = 1e-8;
-    CHECK_STATUS(pdn_march(model, &in.options, &solution), PDN_OK);
+    CHECK_STATUS(pdn_solve_march(model, &in.options, &solution), PDN_OK);
     CHECK(error_of(solution, 0, 0) < 2e-5);
     CHECK_STATUS(pdn_solution_march(solution, &figures), PDN_OK);
     CHECK(figures.step_error <= 1e-8 && figures.steps > 1200 && figures.steps < 6000);
@@ -209,7 +209,7 @@ static void until_periodic(void)
     in.options.steps_per_period = 200;
     in.options.periodic_tolerance = 1e-5;
     in.options.stored_periods = 1;
-    CHECK_STATUS(pdn_march(model, &in.options, &solution), PDN_OK);
+    CHECK_STATUS(pdn_solve_march(model, &in.options, &solution), PDN_OK);
     CHECK(pdn_solution_outcome(solution) == PDN_CONVERGED);
     PDN_INIT(pdn_march_diagnostics, &figures);
     CHECK_STATUS(pdn_solution_march(solution, &figures), PDN_OK);
@@ -219,14 +219,14 @@ static void until_periodic(void)
     pdn_solution_free(solution);
 
     in.options.most_periods = 2;
-    CHECK_STATUS(pdn_march(model, &in.options, &solution), PDN_OK);
+    CHECK_STATUS(pdn_solve_march(model, &in.options, &solution), PDN_OK);
     CHECK(pdn_solution_outcome(solution) == PDN_ITERATION_LIMIT);
     pdn_solution_free(solution);
     in.options.progress = watch;
     in.options.progress_data = &steps_told;
     steps_told = 0;
     stop_after = 5;
-    CHECK_STATUS(pdn_march(model, &in.options, &solution), PDN_OK);
+    CHECK_STATUS(pdn_solve_march(model, &in.options, &solution), PDN_OK);
     CHECK(pdn_solution_outcome(solution) == PDN_CANCELLED && steps_told == 5);
     pdn_solution_free(solution);
     in.options.progress = NULL;
@@ -241,7 +241,7 @@ static void until_periodic(void)
 
 static pdn_status march(void)
 {
-    return pdn_march(in.model, &in.options, &out.solution);
+    return pdn_solve_march(in.model, &in.options, &out.solution);
 }
 
 static void refusals_of_each_argument(void)
@@ -270,11 +270,11 @@ static void refusals_of_each_argument(void)
     pdn_march_diagnostics_init(NULL, sizeof figures.figures);
     CHECK_MESSAGE("diagnostics: expected a pointer, got NULL");
 
-    REFUSED(pdn_march(NULL, &in.options, &out.solution), PDN_ERR_NULL,
+    REFUSED(pdn_solve_march(NULL, &in.options, &out.solution), PDN_ERR_NULL,
             "model: expected a pointer, got NULL");
-    REFUSED(pdn_march(in.model, NULL, &out.solution), PDN_ERR_NULL,
+    REFUSED(pdn_solve_march(in.model, NULL, &out.solution), PDN_ERR_NULL,
             "options: expected a pointer, got NULL");
-    REFUSED(pdn_march(in.model, &in.options, NULL), PDN_ERR_NULL,
+    REFUSED(pdn_solve_march(in.model, &in.options, NULL), PDN_ERR_NULL,
             "out: expected a pointer, got NULL");
     REFUSES_EACH(in.options.struct_size, size_t, bad_struct_sizes, march(), PDN_ERR_STRUCT_SIZE,
                  "options: expected struct_size ");
@@ -348,10 +348,10 @@ static void refusals_of_each_argument(void)
 
     /* A solution of another model, and the figures of one that was not marched. */
     CHECK_STATUS(pdn_model_new(&other), PDN_OK);
-    REFUSED(pdn_march(other, &in.options, &out.solution), PDN_ERR_MODEL,
+    REFUSED(pdn_solve_march(other, &in.options, &out.solution), PDN_ERR_MODEL,
             "model: expected at least one node, got none");
     CHECK_STATUS(pdn_model_add_rigid_body(other, 1, origin, inertia, &node), PDN_OK);
-    CHECK_STATUS(pdn_march(other, &in.options, &solution), PDN_OK);
+    CHECK_STATUS(pdn_solve_march(other, &in.options, &solution), PDN_OK);
     CHECK(pdn_solution_outcome(solution) == PDN_CONVERGED);
     in.options.initial = solution;
     REFUSED(march(), PDN_ERR_VALUE,

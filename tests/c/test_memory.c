@@ -72,7 +72,7 @@ static void long_march(void)
     options.duration = 1e6;
     options.step = 0.1;
     options.period = 2;
-    CHECK_STATUS(pdn_march(model, &options, &solution), PDN_ERR_MEMORY);
+    CHECK_STATUS(pdn_solve_march(model, &options, &solution), PDN_ERR_MEMORY);
     CHECK_MESSAGE("steps of the march: ");
 }
 
@@ -193,7 +193,7 @@ static pdn_status try_march(void)
     options.duration = 0.1;
     options.step = 0.05;
     options.period = 2;
-    return pdn_march(large, &options, &solution);
+    return pdn_solve_march(large, &options, &solution);
 }
 
 /* Whatever memory there is, a solve ends in its status. */
@@ -360,14 +360,14 @@ static void own_limit_of_a_march(void)
     options.duration = 2;
     options.step = 0.01;
     options.memory_limit = 1000;
-    CHECK_STATUS(pdn_march(model, &options, &found), PDN_ERR_MEMORY);
+    CHECK_STATUS(pdn_solve_march(model, &options, &found), PDN_ERR_MEMORY);
     CHECK_MESSAGE("more than options.memory_limit allows (1000)");
     CHECK(found == NULL);
     pdn_last_error(message, sizeof message);
     about = strstr(message, "about ");
     CHECK(about != NULL && sscanf(about, "about %llu bytes", &estimate) == 1);
     options.memory_limit = (size_t)estimate;
-    CHECK_STATUS(pdn_march(model, &options, &found), PDN_OK);
+    CHECK_STATUS(pdn_solve_march(model, &options, &found), PDN_OK);
     CHECK(pdn_solution_outcome(found) == PDN_CONVERGED);
     pdn_solution_free(found);
 
@@ -376,7 +376,7 @@ static void own_limit_of_a_march(void)
     options.error_tolerance = 1;
     options.step = 0.001;
     options.memory_limit = (size_t)estimate / 201 * 5;
-    CHECK_STATUS(pdn_march(model, &options, &found), PDN_OK);
+    CHECK_STATUS(pdn_solve_march(model, &options, &found), PDN_OK);
     CHECK(pdn_solution_outcome(found) == PDN_WORK_LIMIT);
     PDN_INIT(pdn_diagnostics, &diagnostics);
     CHECK_STATUS(pdn_solution_diagnostics(found, &diagnostics), PDN_OK);

@@ -67,7 +67,7 @@ static void other_solves(const pdn_model *model)
     march->duration = 0.1;
     march->period = 2;
     march->step = 0.05;
-    CHECK_STATUS(pdn_march(model, march, &solution), PDN_OK);
+    CHECK_STATUS(pdn_solve_march(model, march, &solution), PDN_OK);
     pdn_solution_free(solution);
     free(march);
     free(shooting);

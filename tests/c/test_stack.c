@@ -35,7 +35,7 @@ static void *solves(void *unused)
     PDN_INIT(pdn_march_options, &march);
     march.duration = march.period = 2;
     march.step = 0.05;
-    CHECK_STATUS(pdn_march(model, &march, &marched), PDN_OK);
+    CHECK_STATUS(pdn_solve_march(model, &march, &marched), PDN_OK);
     CHECK_STATUS(pdn_solve_static(model, NULL, &still), PDN_OK);
     PDN_INIT(pdn_modes_options, &modes);
     (void)pdn_solve_modes(model, &modes, &found);

@@ -40,7 +40,7 @@ static void others(const pdn_model *of, double *out)
     march.duration = 0.2;
     march.step = 0.05;
     march.period = 2;
-    CHECK_STATUS(pdn_march(of, &march, &found), PDN_OK);
+    CHECK_STATUS(pdn_solve_march(of, &march, &found), PDN_OK);
     CHECK_STATUS(pdn_solution_sample(found, ASK(PDN_NODE_POSITION, parts.beam.last), times, 1, out),
                  PDN_OK);
     pdn_solution_free(found);

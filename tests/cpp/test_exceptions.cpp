@@ -103,7 +103,7 @@ static pdn::Solution march(const pdn::Model &model)
     options.duration = 0.5;
     options.step = 0.05;
     options.progress = progress;
-    return pdn::march(model, options);
+    return pdn::solve_march(model, options);
 }
 
 static pdn::Solution shooting(const pdn::Model &model)

@@ -19,7 +19,7 @@ int main()
         steps += progress.iterated && progress.stage == pdn::detail::in(pdn::Stage::march);
         return true;
     };
-    const auto free = pdn::march(o.model, options);
+    const auto free = pdn::solve_march(o.model, options);
     CHECK(free.converged() && steps == 2000);
     const auto figures = free.march();
     CHECK(figures.steps == 2000 && figures.last_time == 2);
@@ -38,7 +38,7 @@ int main()
     options.period = period;
     options.steps_per_period = 200;
     options.periodic_tolerance = 1e-2;
-    const auto steady = pdn::march(o.model, options);
+    const auto steady = pdn::solve_march(o.model, options);
     CHECK(steady.converged() && steady.march().periods <= 3 && steady.march().repetition < 1e-2);
     pdn::PeriodicOptions from;
     from.initial = &steady;
@@ -90,28 +90,28 @@ int main()
 
     options.progress = [](const pdn_progress &) -> bool { throw std::domain_error("enough"); };
     try {
-        pdn::march(o.model, options);
+        pdn::solve_march(o.model, options);
         std::exit(1);
     } catch (const std::domain_error &e) {
         CHECK(e.what() == std::string("enough"));
     }
     options.progress = [](const pdn_progress &) { return false; };
-    CHECK(pdn::march(o.model, options).outcome() == pdn::Outcome::cancelled);
+    CHECK(pdn::solve_march(o.model, options).outcome() == pdn::Outcome::cancelled);
 
-    REFUSED(pdn::march(o.model, {}), PDN_ERR_VALUE, "options.");
+    REFUSED(pdn::solve_march(o.model, {}), PDN_ERR_VALUE, "options.");
     options = {};
     options.duration = 1;
     options.step = nan_value;
-    REFUSED(pdn::march(o.model, options), PDN_ERR_NOT_FINITE, "options.step: ");
+    REFUSED(pdn::solve_march(o.model, options), PDN_ERR_NOT_FINITE, "options.step: ");
     options.step = 0.1;
     options.velocities.resize(2);
-    REFUSED(pdn::march(o.model, options), PDN_ERR_SIZE, "options.velocities: ");
+    REFUSED(pdn::solve_march(o.model, options), PDN_ERR_SIZE, "options.velocities: ");
     options.velocities.clear();
     options.positions = {origin};
-    REFUSED(pdn::march(o.model, options), PDN_ERR_NULL, "options.rotations: ");
+    REFUSED(pdn::solve_march(o.model, options), PDN_ERR_NULL, "options.rotations: ");
     REFUSED(periodic.march(), PDN_ERR_NOT_AVAILABLE, "solution: ");
     const pdn::Model moved = std::move(o.model);
-    REFUSED(pdn::march(o.model, options), PDN_ERR_NULL, "model: ");
+    REFUSED(pdn::solve_march(o.model, options), PDN_ERR_NULL, "model: ");
     CHECK(moved.node_count() == 1);
     return 0;
 }

@@ -33,7 +33,8 @@ contains
         rotation = reshape(identity, [9, 1])
         velocity = 0
         velocity(6, 1) = 0.3_dp
-        call model%march(free, options, positions=position, rotations=rotation, velocities=velocity)
+        call model%solve_march(free, options, positions=position, rotations=rotation, &
+            velocities=velocity)
         call check(free%converged(), 'converged')
         call free%march(figures)
         call check(figures%steps == 2000, 'steps')
@@ -49,7 +50,7 @@ contains
         options%period = period
         options%steps_per_period = 200
         options%periodic_tolerance = 1e-2_dp
-        call model%march(steady, options, initial=periodic)
+        call model%solve_march(steady, options, initial=periodic)
         call steady%march(figures)
         call check(steady%converged() .and. figures%periods <= 3, 'periodic')
         call model%solve_periodic(period, periodic, initial=steady)
@@ -100,18 +101,18 @@ contains
         call refused(stat, errmsg, PDN_ERR_NULL, 'model: ')
         call periodic%floquet(re, im)
         call near(hypot(re(1), im(1)), exp(-0.2_dp*period), 1e-8_dp, 'of the periodic solution')
-        call model%march(none, unset, stat=stat, errmsg=errmsg)
+        call model%solve_march(none, unset, stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_STRUCT_SIZE, 'options')
         options%period = not_a_number()
-        call model%march(none, options, stat=stat, errmsg=errmsg)
+        call model%solve_march(none, options, stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_NOT_FINITE, 'options.period: ')
-        call model%march(none, options, positions=rotation, stat=stat, errmsg=errmsg)
+        call model%solve_march(none, options, positions=rotation, stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_SIZE, 'positions: expected the shape 3 x 1, got 9 x 1')
-        call model%march(none, options, rotations=position, stat=stat, errmsg=errmsg)
+        call model%solve_march(none, options, rotations=position, stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_SIZE, 'rotations: ')
-        call model%march(none, options, velocities=position, stat=stat, errmsg=errmsg)
+        call model%solve_march(none, options, velocities=position, stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_SIZE, 'velocities: ')
-        call empty%march(none, options, stat=stat, errmsg=errmsg)
+        call empty%solve_march(none, options, stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_NULL, 'model: ')
         figures%steps = 55
         call periodic%march(figures, stat, errmsg)
