@@ -151,11 +151,3 @@ class Binding:
         if p["stars"] == 0:
             return "number"
         return f"{new}{'array' if const or p['array'] else 'number'}"
-
-    @staticmethod
-    def extents(said):
-        """How many there are of what an array has, slowest first: count, 3 for "3 x [count]"."""
-        if "matrix of 6 N x 6 N" in said:
-            return ["6 N", "6 N"]
-        found = re.search(r"array of (?:length|shape) ((?:\d+|C\b|\[[^]]+\])(?: x \[\w+\])?)", said)
-        return re.findall(r"\d+|C\b|(?!x )[A-Za-z_]\w*(?: \+ 1)?", found[1])[::-1] if found else []

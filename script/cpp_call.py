@@ -3,7 +3,7 @@
 import re
 import textwrap
 
-from c_header import DEFAULTS, Binding, class_name
+from c_header import DEFAULTS, Binding, class_name, extents_of
 
 # Roles of constants: the first value of each, and what its names begin with in C alone.
 ROLES = {
@@ -84,6 +84,13 @@ class Call(Binding):
                 self.output(p, kind)
             elif kind != "data" and p["name"] != "capacity":
                 self.input(p, kind)
+
+    @staticmethod
+    def extents(said):
+        """How many there are of what an array has, slowest first; of a small matrix all in one."""
+        extents = extents_of(said)[::-1]
+        small = len(extents) == 2 and all(extent.isdigit() for extent in extents)
+        return [str(int(extents[0]) * int(extents[1]))] if small else extents
 
     def count(self, p):
         """A number of entries that C++ knows."""
@@ -206,8 +213,7 @@ class Call(Binding):
             made = declared = fixed(extents[0])
             passed = f"{name}.data()"
         else:
-            numbers = [e.replace("C", "quantity.components()").replace("N", "* points")
-                       for e in extents]
+            numbers = [extent.replace("C", "quantity.components()") for extent in extents]
             is_series = numbers[-1].isdigit()
             made = declared = f"Series<{numbers.pop()}>" if is_series \
                 else f"std::vector<{NUMBERS[base]}>"
