@@ -16,7 +16,7 @@ from ._extras import (
     StabilityExtras,
     TableExtras
 )
-from ._numbers import ids, like, reals, together
+from ._numbers import ids, like, reals, together, whole
 from ._structs import (
     Array, Number, Reference, Struct, Structs, as_signal, as_signals, as_structs, of_type,
     pointer, points_of
@@ -3071,6 +3071,8 @@ class Model(ModelExtras):
         end = reals("end", end, (3,))
         axis_2 = reals("axis_2", axis_2, (3,))
         section = of_type("Section")(section, self._kept)
+        elements = whole("elements", elements)
+        degree = whole("degree", degree)
         beam = Beam()
         call(
             lib.pdn_model_add_straight_beam,
@@ -3109,6 +3111,8 @@ class Model(ModelExtras):
         """
         line = of_type("Line")(line, self._kept)
         stations = of_type("Stations")(stations, self._kept)
+        elements = whole("elements", elements)
+        degree = whole("degree", degree)
         beam = Beam()
         call(lib.pdn_model_add_beam, self._c, line, stations, elements, degree, beam._c)
         return beam
@@ -3134,6 +3138,7 @@ class Model(ModelExtras):
         stations = of_type("Stations")(stations, self._kept)
         boundaries = reals("boundaries", boundaries, (None,))
         _elements = len(boundaries) - 1
+        degree = whole("degree", degree)
         beam = Beam()
         call(
             lib.pdn_model_add_beam_between,
@@ -3458,6 +3463,7 @@ class Model(ModelExtras):
         """
         nodes = ids("nodes", nodes)
         _count = len(nodes)
+        n_xi = whole("n_xi", n_xi)
         section = of_type("ShellSection")(section, self._kept)
         placement = of_type("ShellPlacement")(placement, self._kept)
         element = ffi.new("int32_t *")
@@ -3506,6 +3512,10 @@ class Model(ModelExtras):
             Shell: the shell's elements and numbers of nodes
         """
         surface = of_type("Surface")(surface, self._kept)
+        elements_u = whole("elements_u", elements_u)
+        elements_v = whole("elements_v", elements_v)
+        degree_u = whole("degree_u", degree_u)
+        degree_v = whole("degree_v", degree_v)
         section = of_type("ShellSection")(section, self._kept)
         placement = of_type("ShellPlacement")(placement, self._kept)
         shell = Shell()
@@ -3556,6 +3566,10 @@ class Model(ModelExtras):
         """
         points = reals("points", points, (None, 3))
         _count = len(points)
+        elements_u = whole("elements_u", elements_u)
+        elements_v = whole("elements_v", elements_v)
+        degree_u = whole("degree_u", degree_u)
+        degree_v = whole("degree_v", degree_v)
         section = of_type("ShellSection")(section, self._kept)
         placement = of_type("ShellPlacement")(placement, self._kept)
         shell = Shell()
@@ -3609,6 +3623,8 @@ class Model(ModelExtras):
         _point_count = len(points)
         cells = ids("cells", cells)
         _count = len(cells)
+        points_of_cell = whole("points_of_cell", points_of_cell)
+        degree = whole("degree", degree)
         section = of_type("ShellSection")(section, self._kept)
         placement = of_type("ShellPlacement")(placement, self._kept)
         first_element = ffi.new("int32_t *")
@@ -6033,6 +6049,7 @@ class Solution(SolutionExtras):
             sines, of shape (harmonics, components): components of each harmonic together
         """
         quantity = of_type("Quantity")(quantity, self._kept)
+        harmonics = whole("harmonics", harmonics)
         components = max(lib.pdn_quantity_components(quantity), 1)
         mean = reals.empty((components,))
         rate = reals.empty((components,))
@@ -6171,6 +6188,8 @@ class Solution(SolutionExtras):
             threads=threads,
         )
         derivatives = reals.empty((parameters, dependents))
+        dependents = whole("dependents", dependents)
+        parameters = whole("parameters", parameters)
         call(
             lib.pdn_solution_sensitivities,
             self._c,
@@ -6228,6 +6247,7 @@ class Solution(SolutionExtras):
         )
         re = reals.empty((parameters,))
         im = reals.empty((parameters,))
+        parameters = whole("parameters", parameters)
         call(
             lib.pdn_solution_multiplier_sensitivities,
             self._c,
@@ -6345,6 +6365,7 @@ class Solution(SolutionExtras):
         """
         times = reals("times", times, (None,))
         _count = len(times)
+        points_per_element = whole("points_per_element", points_per_element)
         call(
             lib.pdn_solution_write_vtk,
             self._c,
@@ -6463,6 +6484,7 @@ class Stability(StabilityExtras):
             steps: the number of times that there are
         """
         times = reals.empty((count,))
+        count = whole("count", count)
         steps = ffi.new("size_t *")
         call(lib.pdn_stability_times, self._c, pointer(times), count, steps)
         return times, steps[0]
@@ -6483,6 +6505,7 @@ class Stability(StabilityExtras):
             real, of shape (steps, 6): real part, components fastest
             imaginary, of shape (steps, 6): imaginary part
         """
+        steps = whole("steps", steps)
         real = reals.empty((steps, 6))
         imaginary = reals.empty((steps, 6))
         call(

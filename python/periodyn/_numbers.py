@@ -1,5 +1,7 @@
 """Arrays as arguments and results."""
 
+import operator
+
 import numpy
 
 from ._call import Error
@@ -38,6 +40,17 @@ def reals(name, values, shape, turned=False):
 
 
 reals.empty = numpy.empty
+
+
+def whole(name, value):
+    """How many there are to be, a whole number that is not negative."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise Error(f"{name}: expected a whole number, got {value!r}", "PDN_ERR_SIZE") from None
+    if number < 0:
+        raise Error(f"{name}: expected at least 0, got {number}", "PDN_ERR_SIZE")
+    return number
 
 
 def ids(name, values):

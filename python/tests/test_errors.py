@@ -52,3 +52,12 @@ def test_unknown_options_are_refused():
         MODEL.solve_periodic(2 * np.pi, grid=11)
     with pytest.raises(TypeError, match="no field"):
         pdn.PeriodicOptions(grid=11)
+
+
+def test_counts_that_are_none_are_named():
+    model, body, *_ = oscillator()
+    solution = model.solve_periodic(2 * np.pi)
+    position = pdn.Quantity(pdn.NODE_POSITION, body)
+    for count, what in ((-1, "at least 0"), (2.5, "a whole number")):
+        with pytest.raises(pdn.Error, match=f"^harmonics: expected {what}, got {count}"):
+            solution.harmonics(position, count)
