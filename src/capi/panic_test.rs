@@ -7,7 +7,7 @@ use super::id::{PDN_FIRST_JOINT, PDN_FIRST_NODE};
 use super::joint::{pdn_model_add_revolute, pdn_model_prescribe};
 use super::last_error::pdn_last_error;
 use super::load::pdn_model_add_load;
-use super::march::{pdn_solve_march, pdn_march_options_init};
+use super::march::{pdn_march_options_init, pdn_solve_march};
 use super::model::{pdn_model, pdn_model_add_rigid_body, pdn_model_free, pdn_model_new};
 use super::modes::{pdn_modes_free, pdn_solve_modes};
 use super::options::Options;
