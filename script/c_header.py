@@ -106,16 +106,15 @@ class Header:
             parameter = self.declaration(text)
             said = told.get(parameter["name"], "")
             inherited = parameters[-1]["optional"] if "likewise" in said and parameters else False
+            # "likewise" and "as cosines" refer to the one before.
+            if re.match(r"as cosines|array of length \[\w+\]; likewise", said):
+                said = parameters[-1]["said"]
             parameter["optional"] = inherited or ("NULL" in said and "not NULL" not in said)
-            parameter["structs"] = "array of" in said
-            parameter["array"] = "array of" in said or "likewise" in said or "as cosines" in said \
-                or "matrix of" in said or "same by" in said
             parameter["said"] = said
-            shaped = parameters[-1]["said"] if said.startswith("as cosines") else said
-            parameter["extents"] = extents_of(shaped) if parameter["stars"] else []
+            parameter["extents"] = extents_of(said) if parameter["stars"] else []
             parameters.append(parameter)
         return {"name": name, "result": result, "summary": re.split(r"\.(?: |$)", doc)[0],
-                "doc": doc, "parameters": parameters, "arguments": " ".join(arguments.split())}
+                "parameters": parameters, "arguments": " ".join(arguments.split())}
 
 
 class Binding:
@@ -125,12 +124,10 @@ class Binding:
         self.header, self.function = header, function
         self.name, self.parameters = function["name"], function["parameters"]
 
-    def said(self, i):
-        """What is said of a parameter; "likewise" and "as cosines" refer to the one before."""
-        said = self.parameters[i]["said"]
-        if said.startswith("as cosines") or re.match(r"array of length \[\w+\]; likewise", said):
-            return self.parameters[i - 1]["said"]
-        return said
+    def having(self, count):
+        """The arrays whose length or shape a parameter tells."""
+        return [p for p in self.parameters
+                if re.search(rf"\b{count}\b", " ".join(p["extents"]))]
 
     def kind(self, p):
         """The kind of a parameter."""
@@ -144,10 +141,10 @@ class Binding:
         if base in self.header.opaque:
             return "handle" if p["stars"] == 1 else "new_handle"
         if base == "pdn_signal" and const:
-            return "several_signals" if p["structs"] else "signal"
+            return "several_signals" if p["extents"] else "signal"
         if base in self.header.structs:
-            kind = "several_structs" if p["structs"] else "struct"
+            kind = "several_structs" if p["extents"] else "struct"
             return "options" if p["name"] == "options" else f"{new}{kind}"
         if p["stars"] == 0:
             return "number"
-        return f"{new}{'array' if const or p['array'] else 'number'}"
+        return f"{new}{'array' if const or p['extents'] else 'number'}"

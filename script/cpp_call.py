@@ -2,8 +2,9 @@
 
 import re
 import textwrap
+from math import prod
 
-from c_header import DEFAULTS, Binding, class_name, extents_of
+from c_header import DEFAULTS, Binding, class_name
 
 # Roles of constants: the first value of each, and what its names begin with in C alone.
 ROLES = {
@@ -32,10 +33,15 @@ NUMBERS = {"int32_t": "std::int32_t", "size_t": "std::size_t", "double": "double
            "pdn_status": "pdn_status"}
 VECTOR = "std::vector<double>"
 VERSION_CHECK = "detail::check(pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR));"
-FIXED = {"3": "Vector3", "6": "Vector6", "9": "Matrix3", "36": "Matrix6"}
+FIXED = {3: "Vector3", 6: "Vector6", 9: "Matrix3", 36: "Matrix6"}
 
 
-def fixed(length):
+def is_fixed(extents):
+    return bool(extents) and all(extent.isdigit() for extent in extents)
+
+
+def fixed(extents):
+    length = prod(map(int, extents))
     return FIXED.get(length, f"std::array<double, {length}>")
 
 
@@ -67,8 +73,8 @@ class Call(Binding):
         # None of the names hides a field of the object or a constant.
         fields = header.structs.get(self.parameters[0]["base"], []) if this else []
         hidden = {field["name"] for field in fields} | header.single
-        self.parameters = [{**p, "name": p["name"] + "_" * (p["name"] in hidden),
-                            "said": self.said(i)} for i, p in enumerate(self.parameters)]
+        self.parameters = [{**p, "name": p["name"] + "_" * (p["name"] in hidden)}
+                           for p in self.parameters]
         self.makes_this = self.name.endswith("_new")
         self.hands_over = any(p["base"] == "pdn_destroy_fn" for p in self.parameters)
         for p in self.parameters:
@@ -85,18 +91,10 @@ class Call(Binding):
             elif kind != "data" and p["name"] != "capacity":
                 self.input(p, kind)
 
-    @staticmethod
-    def extents(said):
-        """How many there are of what an array has, slowest first; of a small matrix all in one."""
-        extents = extents_of(said)[::-1]
-        small = len(extents) == 2 and all(extent.isdigit() for extent in extents)
-        return [str(int(extents[0]) * int(extents[1]))] if small else extents
-
     def count(self, p):
         """A number of entries that C++ knows."""
         count, said = p["name"], p["said"]
-        given = [q for q in self.parameters if q["const"] and q["stars"]
-                 and re.search(rf"\b{count}\b", " ".join(self.extents(q["said"])))]
+        given = [q for q in self.having(count) if q["const"]]
         known = [re.sub(f".*{told}.*", known, said) for told, known in KNOWN.items()
                  if re.search(told, said)]
         if len(given) > 1:
@@ -117,7 +115,7 @@ class Call(Binding):
     def input(self, p, kind):
         """A parameter that is asked for, and how it is passed."""
         name, base, optional, role = p["name"], p["base"], p["optional"], self.role(p)
-        extents, passed, default = self.extents(p["said"]), f"detail::in({name})", "{}"
+        extents, passed, default = p["extents"], f"detail::in({name})", "{}"
         by_value = boxed = False
         if name in self.counts:
             self.passed.append(name)
@@ -139,8 +137,8 @@ class Call(Binding):
         elif kind in ("struct", "signal"):
             taken, boxed = class_name(base) if base in self.header.wrapped else base, optional
             passed = f"{name} ? &*{name} : nullptr" if optional else f"&{name}"
-        elif kind == "text" or len(extents) == 1 and extents[0].isdigit():
-            taken, boxed = "std::string" if kind == "text" else fixed(extents[0]), optional
+        elif kind == "text" or is_fixed(extents):
+            taken, boxed = "std::string" if kind == "text" else fixed(extents), optional
         elif kind == "several_signals":
             taken = "std::vector<std::array<Signal, 6>>"
         elif self.name.startswith("pdn_signal_"):
@@ -148,7 +146,7 @@ class Call(Binding):
             self.kept.append(name)
         else:
             taken = f"std::vector<{role or NUMBERS.get(base) or class_name(base)}>" \
-                if len(extents) == 1 else f"Series<{extents[-1]}>"
+                if len(extents) == 1 else f"Series<{extents[0]}>"
             passed = f"detail::in_or_null({name})" if optional and not role else passed
         self.passed.append(passed)
         self.signals += [name] * (base == "pdn_signal")
@@ -165,7 +163,7 @@ class Call(Binding):
         """The role of constants; "likewise" is that of a parameter with a name like it."""
         last = p["name"].rpartition("_")[2]
         alike = [q["said"] for q in self.parameters if q["name"].endswith(last)]
-        return self.header.role(alike[0] if p["array"] and "likewise" in p["said"] else p["said"])
+        return self.header.role(alike[0] if p["extents"] and "likewise" in p["said"] else p["said"])
 
     def nodes(self, options):
         """The number of nodes that options ask for; 0 for none that is known."""
@@ -184,7 +182,7 @@ class Call(Binding):
 
     def output(self, p, kind):
         """An output: where the library writes it, and what is returned."""
-        name, base, role, extents = p["name"], p["base"], self.role(p), self.extents(p["said"])
+        name, base, role, extents = p["name"], p["base"], self.role(p), p["extents"]
         passed, start, returned = f"&{name}", "{}", name
         if p["said"].startswith("the number of times that there are"):
             self.passed.append("nullptr")
@@ -209,11 +207,11 @@ class Call(Binding):
             made = role or ("bool" if is_flag else declared)
             start = " = 0"
             returned = f"static_cast<{made}>({name})" if role else name + " != 0" * bool(is_flag)
-        elif len(extents) == 1 and extents[0].isdigit():
-            made = declared = fixed(extents[0])
+        elif is_fixed(extents):
+            made = declared = fixed(extents)
             passed = f"{name}.data()"
         else:
-            numbers = [extent.replace("C", "quantity.components()") for extent in extents]
+            numbers = [e.replace("C", "quantity.components()") for e in reversed(extents)]
             is_series = numbers[-1].isdigit()
             made = declared = f"Series<{numbers.pop()}>" if is_series \
                 else f"std::vector<{NUMBERS[base]}>"

@@ -142,7 +142,7 @@ class Procedure:
             return made if const else self.new_struct
         if p["stars"] == 0:
             return self.count if p["name"] in self.defining else self.number
-        if not p["array"] and not const:
+        if not p["extents"] and not const:
             return self.new_number
         return self.asked_array if self.asks else self.array
 
@@ -185,7 +185,7 @@ class Procedure:
         self.perhaps(p, "type(c_signal), allocatable", f"raw_of({own})")
 
     def struct(self, p):
-        self.dummy(p, f"type({p['base']}), intent(in)", colons(int(p["structs"])))
+        self.dummy(p, f"type({p['base']}), intent(in)", colons(len(p["extents"])))
         self.passed.append(p["name"])
 
     def built(self, p):
