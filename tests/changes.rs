@@ -222,19 +222,6 @@ fn numbers_that_cannot_be_are_refused() {
     assert_eq!(file(&model, "whole"), before);
 }
 
-fn effort(stiffness: f64) -> CoordinateLaw {
-    CoordinateLaw {
-        function: Arc::new(move |at| {
-            Ok(Effort {
-                value: stiffness * at.value.sin(),
-                by_coordinate: stiffness * at.value.cos(),
-                by_rate: 0.0,
-            })
-        }),
-        gives_derivatives: true,
-    }
-}
-
 fn drag(size: f64) -> NodeForceLaw {
     NodeForceLaw {
         function: Arc::new(move |input, output| {
@@ -255,7 +242,7 @@ fn push(size: f64) -> Signal {
 #[test]
 fn functions_come_back_to_a_model_from_a_file() {
     let (mut model, hinge) = pendulum_on_a_hinge();
-    let law = model.add_coordinate_law(hinge, effort(4.0)).unwrap();
+    let law = model.add_coordinate_law(hinge, sine_spring(4.0)).unwrap();
     let force = model.add_node_forces(&[0], drag(0.5)).unwrap();
     let actuator = model.add_actuator(hinge, &push(0.3)).unwrap();
     for (id, label) in [(law, "spring"), (force, "drag"), (actuator, "push")] {
@@ -273,7 +260,7 @@ fn functions_come_back_to_a_model_from_a_file() {
     assert!(error.to_string().contains("bind it again"), "{error}");
     let find = |label: &str| loaded.find_label(ObjectKind::Force, label).unwrap();
     let [law, force, actuator] = ["spring", "drag", "push"].map(find);
-    loaded.bind_coordinate_law(law, effort(4.0)).unwrap();
+    loaded.bind_coordinate_law(law, sine_spring(4.0)).unwrap();
     loaded.bind_node_forces(force, drag(0.5)).unwrap();
     loaded
         .set_signal(SignalPlace::Actuator(actuator), &push(0.3))
@@ -281,7 +268,7 @@ fn functions_come_back_to_a_model_from_a_file() {
     assert_eq!(motions(&solve(&loaded, PERIOD, 15)), wanted);
 
     // Another function gives another motion; what is no such force is refused.
-    loaded.bind_coordinate_law(law, effort(6.0)).unwrap();
+    loaded.bind_coordinate_law(law, sine_spring(6.0)).unwrap();
     assert!(largest_difference(&motions(&solve(&loaded, PERIOD, 15)), &wanted) > 1e-3);
     let refused = loaded.bind_node_forces(law, drag(0.5)).unwrap_err();
     assert_eq!(refused.kind(), ErrorKind::NotAvailable);

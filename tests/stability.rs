@@ -6,7 +6,7 @@ mod common;
 use common::models::oscillators::van_der_pol;
 use common::*;
 use nalgebra::{Complex, DMatrix, Vector3};
-use periodyn::elements::{Coordinate, CoordinateLaw, Effort, JointKind, LoadFrame, NodeForceLaw};
+use periodyn::elements::{Coordinate, JointKind, LoadFrame, NodeForceLaw};
 use periodyn::error::ErrorKind;
 use periodyn::model::*;
 use periodyn::motion::Motion;
@@ -265,20 +265,6 @@ fn a_rotor_with_rotating_damping_whirls_above_its_critical_speed() {
     // The model's forces are differenced.
     assert_multipliers(&stability, &expected, 1e-9);
     assert_eq!(stability.verdict, Verdict::Unstable);
-}
-
-/// A spring with the energy `stiffness (1 − cos q)`.
-fn sine_spring(stiffness: f64) -> CoordinateLaw {
-    CoordinateLaw {
-        function: Arc::new(move |at| {
-            Ok(Effort {
-                value: stiffness * at.value.sin(),
-                by_coordinate: stiffness * at.value.cos(),
-                by_rate: 0.0,
-            })
-        }),
-        gives_derivatives: true,
-    }
 }
 
 /// A rotor of three blades in its plane, on a hub on springs, at this speed.

@@ -1,8 +1,9 @@
 //! Changes of what a model holds.
 
-use super::validation::require_positive;
+use super::target::no_such_signal;
+use super::validation::{require_elements, require_positive};
 use super::{ForceDefinition, ForceNumber, Model, SectionInput, Signal, SignalPlace, Target};
-use crate::error::{Error, ErrorKind, Result, require_id};
+use crate::error::{Error, ErrorKind, Result};
 use nalgebra::Matrix6;
 
 impl Model {
@@ -12,10 +13,9 @@ impl Model {
     /// # Errors
     /// If there is no such signal.
     pub fn set_signal(&mut self, place: SignalPlace, signal: &Signal) -> Result<()> {
-        let old = self.signal_mut(place).ok_or_else(|| {
-            let message = format!("place: the model has no such signal: {place:?}");
-            Error::new(ErrorKind::NotAvailable, message)
-        })?;
+        let old = self
+            .signal_mut(place)
+            .ok_or_else(|| no_such_signal(place))?;
         *old = signal.clone();
         self.move_signal_again(place)
     }
@@ -76,17 +76,8 @@ impl Model {
         elements: usize,
         section: &SectionInput,
     ) -> Result<()> {
-        require_id(
-            "first_element",
-            "beam element",
-            self.beams.len(),
-            first_element,
-        )?;
-        let left = self.beams.len() - first_element;
-        if elements == 0 || elements > left {
-            let expected = format!("1 to {left} (beam elements from first_element on)");
-            return Err(Error::size("elements", expected, elements));
-        }
+        let count = self.beams.len();
+        require_elements("beam element", count, (first_element, elements))?;
         let section = section.validated()?;
         let changed = (first_element..first_element + elements).map(|element| {
             let mut beam = self.beams[element].clone();

@@ -1,11 +1,12 @@
 //! What a model holds, for those who have not built it themselves.
 
+use super::target::no_such_signal;
 use super::{
     BeamDefinition, DistributedLoadDefinition, ForceDefinition, InertiaDefinition, JointCoordinate,
     JointDefinition, LoadDefinition, Model, ShellLoadDefinition, Signal, SignalPlace,
 };
 use crate::elements::{Attachment, Section};
-use crate::error::{Error, ErrorKind, Result, require_finite, require_id, require_positive_number};
+use crate::error::{Error, Result, require_finite, require_id, require_positive_number};
 use crate::motion::Motion;
 use nalgebra::Matrix6;
 
@@ -100,10 +101,7 @@ impl Model {
     ) -> Result<Vec<f64>> {
         require_positive_number("period", period)?;
         require_finite("times", times)?;
-        let signal = self.signal(place).ok_or_else(|| {
-            let message = format!("place: the model has no such signal: {place:?}");
-            Error::new(ErrorKind::NotAvailable, message)
-        })?;
+        let signal = self.signal(place).ok_or_else(|| no_such_signal(place))?;
         let bound = signal.bind(period);
         times.iter().map(|&time| bound.value(time)).collect()
     }

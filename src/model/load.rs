@@ -1,9 +1,9 @@
 //! Loads on nodes and along beams.
 
-use super::validation::require_ascending;
+use super::validation::{require_ascending, require_elements};
 use super::{Model, Signal};
 use crate::elements::{Beam, BeamLoadFrame, DistributedLoad, LoadFrame};
-use crate::error::{Error, Result, require_finite, require_id};
+use crate::error::{Error, Result, require_finite};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
@@ -191,13 +191,8 @@ impl Model {
     }
 
     fn require_load(&self, load: &DistributedLoadDefinition) -> Result<()> {
-        let count = self.beams.len();
-        require_id("first_element", "beam element", count, load.first_element)?;
-        let most = count - load.first_element;
-        if !(1..=most).contains(&load.elements) {
-            let expected = format!("1 to {most} from element {} on", load.first_element);
-            return Err(Error::size("elements", expected, load.elements));
-        }
+        let elements = (load.first_element, load.elements);
+        require_elements("beam element", self.beams.len(), elements)?;
         if load.factors.len() == 1 {
             return Err(Error::size("factors", "none, or at least 2", 1));
         }

@@ -1,8 +1,9 @@
 //! Loads on the surfaces and edges of shells.
 
+use super::validation::require_elements;
 use super::{Model, Signal};
 use crate::elements::{LoadFrame, ShellLoadPlace, SurfaceForce, SurfaceForceLaw};
-use crate::error::{Error, Result, require_id};
+use crate::error::{Error, Result};
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
@@ -44,16 +45,10 @@ impl Model {
     /// Checks that there are so many shell elements, from the first on, with such a place.
     pub(crate) fn require_shell_place(
         &self,
-        (first, elements): (usize, usize),
+        elements: (usize, usize),
         place: ShellLoadPlace,
     ) -> Result<()> {
-        let count = self.shells.len();
-        require_id("first_element", "shell element", count, first)?;
-        let most = count - first;
-        if !(1..=most).contains(&elements) {
-            let expected = format!("1 to {most} from element {first} on");
-            return Err(Error::size("elements", expected, elements));
-        }
+        require_elements("shell element", self.shells.len(), elements)?;
         if let ShellLoadPlace::Edge(edge) = place
             && edge > 3
         {

@@ -150,6 +150,12 @@ pub(super) fn no_such(target: Target) -> Error {
     Error::new(ErrorKind::Identifier, message)
 }
 
+/// The error of a place without a signal.
+pub(super) fn no_such_signal(place: SignalPlace) -> Error {
+    let message = format!("place: the model has no such signal: {place:?}");
+    Error::new(ErrorKind::NotAvailable, message)
+}
+
 /// What has a signal, for messages.
 pub(super) fn describe(place: SignalPlace) -> String {
     match place {

@@ -51,6 +51,21 @@ pub(super) fn require_positive<const N: usize>(
     Ok(0.5 * m + 0.5 * m.transpose()) // the sum of large entries would overflow
 }
 
+/// Checks `elements` elements of a kind from `first` on, of which there are `count`.
+pub(super) fn require_elements(
+    what: &str,
+    count: usize,
+    (first, elements): (usize, usize),
+) -> Result<()> {
+    require_id("first_element", what, count, first)?;
+    let most = count - first;
+    if !(1..=most).contains(&elements) {
+        let expected = format!("1 to {most} from element {first} on");
+        return Err(Error::size("elements", expected, elements));
+    }
+    Ok(())
+}
+
 /// Checks a rotation matrix and removes the rounding of its input.
 pub(super) fn require_rotation(name: &str, r: &Matrix3<f64>) -> Result<Matrix3<f64>> {
     require_finite(name, r.as_slice())?;

@@ -1,9 +1,10 @@
 //! What models are built of.
 
 use nalgebra::{Matrix3, Vector3};
-use periodyn::elements::{Coordinate, JointKind, LoadFrame};
+use periodyn::elements::{Coordinate, CoordinateLaw, Effort, JointKind, LoadFrame};
 use periodyn::model::*;
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 /// A ball of inertia `inertia` about each axis.
 pub fn ball(model: &mut Model, mass: f64, inertia: f64, centre: &Vector3<f64>) -> usize {
@@ -87,6 +88,20 @@ pub fn spring(model: &mut Model, at: JointCoordinate, stiffness: f64, damping: f
         rest: 0.0,
     };
     model.add_spring_damper(definition).unwrap();
+}
+
+/// A spring with the energy `stiffness (1 − cos q)`.
+pub fn sine_spring(stiffness: f64) -> CoordinateLaw {
+    CoordinateLaw {
+        function: Arc::new(move |at| {
+            Ok(Effort {
+                value: stiffness * at.value.sin(),
+                by_coordinate: stiffness * at.value.cos(),
+                by_rate: 0.0,
+            })
+        }),
+        gives_derivatives: true,
+    }
 }
 
 pub fn gravity(model: &mut Model, acceleration: [f64; 3]) {
