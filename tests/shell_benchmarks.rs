@@ -227,8 +227,8 @@ fn require_slit_ring(nodes: usize, elements: [usize; 2], given: [f64; 2]) {
     let (found, iterations) = slit_ring(nodes, elements, 1.0);
     let what = format!("{nodes} nodes, {elements:?}, {iterations} iterations");
     require_digits(&what, &found, &given, 1e-3);
-    // 37 of the other program, with 7 load steps, too.
-    assert!(iterations <= 42, "{iterations}");
+    // 37 of the other program, with 7 load steps, too, each of which converges.
+    assert!(iterations <= 26, "{iterations}");
 }
 
 #[test]
@@ -344,7 +344,7 @@ fn a_hemisphere_with_a_hole_converges_with_order_and_mesh() {
         let (found, iterations) = hemisphere(nodes, elements, ShellFrames::Parallel, drilling);
         let what = format!("{nodes} nodes, {elements}², {drilling}, {iterations} iterations");
         require_digits(&what, &found, &given, 1e-3);
-        assert!(iterations <= 30, "{iterations}");
+        assert!(iterations <= 20, "{iterations}");
     }
     for (nodes, elements, given) in [
         (5, 4, [4.0495, 8.1061]),
@@ -357,7 +357,7 @@ fn a_hemisphere_with_a_hole_converges_with_order_and_mesh() {
     }
 }
 
-/// Newton's method is lost at once, and shortens the step twice.
+/// Newton's method is lost at once, and goes on with parts of the load.
 #[test]
 fn a_load_step_that_is_too_long_is_soon_given_up() {
     let of = |steps| hemisphere_in(steps, (4, 3), ShellFrames::Parallel, 1.0);
@@ -366,7 +366,8 @@ fn a_load_step_that_is_too_long_is_soon_given_up() {
         // Both converged to 1e-9 of the size of the shell.
         assert!((found - other).abs() < 1e-8, "{found} {other}");
     }
-    assert!(iterations <= 22, "{iterations}");
+    // 14 of the other program.
+    assert!(iterations <= 17, "{iterations}");
 }
 
 #[test]
