@@ -6,7 +6,7 @@ mod models;
 
 use models::parts::{ball, join};
 use models::shells::*;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, Rotation3, Vector3};
 use periodyn::elements::*;
 use periodyn::error::Result;
 use periodyn::model::*;
@@ -82,7 +82,8 @@ fn patch_of(
     frames: ShellFrames,
 ) -> ShellPatch {
     if frames == ShellFrames::NodeAxes {
-        return patch_with_normals(model, surface, section, mesh);
+        let axes = axes_along_normals(&surface);
+        return patch_with_axes(model, &surface, axes, section, mesh);
     }
     let surface = |at: [f64; 2]| -> Result<Vector3<f64>> { Ok(surface(at)) };
     let placement = ShellPlacement {
@@ -95,10 +96,24 @@ fn patch_of(
         .unwrap()
 }
 
-/// The same over nodes whose third axes are the normals of the surface itself.
-fn patch_with_normals(
+/// Axes whose third one is the normal of the surface itself.
+fn axes_along_normals(
+    surface: &impl Fn([f64; 2]) -> Vector3<f64>,
+) -> impl Fn([f64; 2]) -> Matrix3<f64> {
+    move |[u, v]| {
+        const SMALL: f64 = 1e-6;
+        let along = surface([u + SMALL, v]) - surface([u - SMALL, v]);
+        let across = surface([u, v + SMALL]) - surface([u, v - SMALL]);
+        let (first, normal) = (along.normalize(), along.cross(&across).normalize());
+        Matrix3::from_columns(&[first, normal.cross(&first), normal])
+    }
+}
+
+/// A patch over nodes with these axes, whose third ones are taken for the surface's normals.
+fn patch_with_axes(
     model: &mut Model,
     surface: impl Fn([f64; 2]) -> Vector3<f64>,
+    axes: impl Fn([f64; 2]) -> Matrix3<f64>,
     section: &IsotropicShell,
     mesh: &ShellMesh,
 ) -> ShellPatch {
@@ -115,12 +130,8 @@ fn patch_with_normals(
     let mut nodes = Vec::new();
     for &u in &places[0] {
         for &v in &places[1] {
-            const SMALL: f64 = 1e-6;
-            let along = surface([u + SMALL, v]) - surface([u - SMALL, v]);
-            let across = surface([u, v + SMALL]) - surface([u, v - SMALL]);
-            let (first, normal) = (along.normalize(), along.cross(&across).normalize());
-            let axes = Matrix3::from_columns(&[first, normal.cross(&first), normal]);
-            nodes.push(model.add_node(&Motion::new(axes, surface([u, v]))).unwrap());
+            let motion = Motion::new(axes([u, v]), surface([u, v]));
+            nodes.push(model.add_node(&motion).unwrap());
         }
     }
     let section = section.section().unwrap();
@@ -227,8 +238,8 @@ fn require_slit_ring(nodes: usize, elements: [usize; 2], given: [f64; 2]) {
     let (found, iterations) = slit_ring(nodes, elements, 1.0);
     let what = format!("{nodes} nodes, {elements:?}, {iterations} iterations");
     require_digits(&what, &found, &given, 1e-3);
-    // 37 of the other program, with 7 load steps, too.
-    assert!(iterations <= 42, "{iterations}");
+    // 37 of the other program, with 7 load steps, too, each of which converges.
+    assert!(iterations <= 26, "{iterations}");
 }
 
 #[test]
@@ -344,7 +355,7 @@ fn a_hemisphere_with_a_hole_converges_with_order_and_mesh() {
         let (found, iterations) = hemisphere(nodes, elements, ShellFrames::Parallel, drilling);
         let what = format!("{nodes} nodes, {elements}², {drilling}, {iterations} iterations");
         require_digits(&what, &found, &given, 1e-3);
-        assert!(iterations <= 30, "{iterations}");
+        assert!(iterations <= 20, "{iterations}");
     }
     for (nodes, elements, given) in [
         (5, 4, [4.0495, 8.1061]),
@@ -357,7 +368,7 @@ fn a_hemisphere_with_a_hole_converges_with_order_and_mesh() {
     }
 }
 
-/// Newton's method is lost at once, and shortens the step twice.
+/// Newton's method is lost at once, and goes on with parts of the load.
 #[test]
 fn a_load_step_that_is_too_long_is_soon_given_up() {
     let of = |steps| hemisphere_in(steps, (4, 3), ShellFrames::Parallel, 1.0);
@@ -366,12 +377,14 @@ fn a_load_step_that_is_too_long_is_soon_given_up() {
         // Both converged to 1e-9 of the size of the shell.
         assert!((found - other).abs() < 1e-8, "{found} {other}");
     }
-    assert!(iterations <= 22, "{iterations}");
+    // 14 of the other program.
+    assert!(iterations <= 17, "{iterations}");
 }
 
 #[test]
 fn frames_along_normals_are_nearer_to_the_limit_of_the_hemisphere() {
-    // The other program's are not turned about the normals as ours are: these are its figures.
+    // These are the other program's figures. Its frames are along the sphere's normals, each turned
+    // from the hemisphere's axis by the smallest rotation; elements with those give all its digits.
     for (nodes, elements, other) in [
         (2, 8, [3.023, 5.878]),
         (2, 16, [3.837, 7.899]),
@@ -392,39 +405,53 @@ fn frames_along_normals_are_nearer_to_the_limit_of_the_hemisphere() {
 }
 
 /// MacNeal and Harder's twisted beam of thickness `h`, by forces in and out of the plane of its
-/// end: its displacements along these.
+/// end: its displacements along these. `NodeAxes` are those of its cross-sections.
 fn twisted(h: f64, nodes: usize, elements: [usize; 2], frames: ShellFrames) -> [f64; 2] {
+    let force: f64 = if h < 0.1 { 1e-6 } else { 1.0 };
+    twisted_by(force, h, nodes, elements, frames)
+}
+
+/// The same by forces of this size, over this size.
+fn twisted_by(
+    force: f64,
+    h: f64,
+    nodes: usize,
+    elements: [usize; 2],
+    frames: ShellFrames,
+) -> [f64; 2] {
     let section = IsotropicShell::new(h, 29e6, 0.22, 1.0);
     let (length, width) = (12.0, 1.1);
+    let axes =
+        |[u, _]: [f64; 2]| *Rotation3::from_axis_angle(&Vector3::x_axis(), FRAC_PI_2 * u).matrix();
     let surface = |[u, v]: [f64; 2]| {
-        let (sine, cosine) = (FRAC_PI_2 * u).sin_cos();
-        let across = width * (v - 0.5);
-        Vector3::new(length * u, across * cosine, across * sine)
+        axes([u, v]).column(1) * (width * (v - 0.5)) + Vector3::x() * (length * u)
     };
-    let scale: f64 = if h < 0.1 { 1e-6 } else { 1.0 };
     let weights = edge_weights(width, elements[1], nodes - 1);
     let mut out = [0.0; 2];
     for (axis, out) in [2, 1].into_iter().zip(&mut out) {
         let mut model = Model::new();
         let mesh = mesh(elements, [nodes, nodes]);
-        let patch = patch_of(&mut model, surface, &section, &mesh, frames);
+        let patch = match frames {
+            ShellFrames::NodeAxes => patch_with_axes(&mut model, surface, axes, &section, &mesh),
+            frames => patch_of(&mut model, surface, &section, &mesh, frames),
+        };
         clamp_edge(&mut model, &patch.edge(PatchEdge::StartU));
         let tip = patch.edge(PatchEdge::EndU);
         let mut load = [0.0; 6];
-        load[axis] = scale / width;
+        load[axis] = force / width;
         load_edge(&mut model, &tip, &weights, load);
         let found = statics(&model, 1);
-        *out = found.mean(&tip, &weights)[axis] / scale;
+        *out = found.mean(&tip, &weights)[axis] / force;
     }
     out
 }
 
 #[test]
 fn a_twisted_beam_converges_thick_and_thin() {
-    use ShellFrames::{Normals, Parallel};
+    use ShellFrames::{NodeAxes, Normals, Parallel};
     let (thick, thin) = ([5.424e-3, 1.754e-3], [5256.0, 1294.0]);
-    // Of frames along normals the other program's are not turned about these as ours are, which
-    // only coarse meshes notice.
+    // The other program's frames are those of the cross-sections, whose third axes are not quite
+    // along the normals beside the middle.
     for (h, nodes, elements, frames, given, unit) in [
         (0.32, 2, [24, 4], Normals, [0.9966, 0.9951], 1e-3),
         (0.32, 3, [6, 1], Normals, [0.9968, 0.9984], 1e-3),
@@ -451,11 +478,21 @@ fn a_twisted_beam_converges_thick_and_thin() {
         let ratios = [found[0] / exact[0], found[1] / exact[1]];
         let what = format!("{h}, {nodes} nodes, {elements:?}, {frames:?}");
         require_digits(&what, &ratios, &given, unit);
+        if frames == Normals {
+            let found = twisted(h, nodes, elements, NodeAxes);
+            let ratios = [found[0] / exact[0], found[1] / exact[1]];
+            require_digits(&format!("{what}, of sections"), &ratios, &given, 1e-4);
+        }
     }
     let found = twisted(0.32, 8, [3, 1], Parallel);
     require_digits("finest, thick", &found, &[5.41192e-3, 1.750514e-3], 1e-8);
     let found = twisted(0.0032, 8, [3, 1], Parallel);
     require_digits("finest, thin", &found, &[5244.3, 1292.55], 0.15);
+    // What is of second order shows in the last digits: forces of 7.6e-6 to 9.5e-6 give those of
+    // the other program.
+    let found = twisted_by(8.5e-6, 0.0032, 8, [3, 1], Parallel);
+    require_digits("in plane", &found[..1], &[5244.3], 0.05);
+    require_digits("out of plane", &found[1..], &[1292.55], 0.005);
     // By default elements of two nodes a side do not lock.
     let found = twisted(0.0032, 2, [12, 2], Normals);
     assert!(found[0] > 0.95 * thin[0], "{found:?}");

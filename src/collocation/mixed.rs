@@ -35,7 +35,14 @@ impl Collocation {
 
     /// Stress resultants along an unscaled increment from `state`, that begin with those of the
     /// geometric stiffness there.
-    fn resultants_along(&mut self, state: &GridState, increment: &[f64]) -> Result<ResultantPath> {
+    ///
+    /// # Errors
+    /// If an element is too distorted.
+    pub fn resultants_along(
+        &mut self,
+        state: &GridState,
+        increment: &[f64],
+    ) -> Result<ResultantPath> {
         self.update_kinematics(state);
         let end = self.extrapolated_resultants(increment)?;
         let start = match self.has_resultants() {

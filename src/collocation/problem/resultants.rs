@@ -165,6 +165,12 @@ impl Collocation {
         self.instants.resultants = resultants;
     }
 
+    /// Gives the stress resultants that geometric stiffness was taken at, from now on those of the
+    /// strains.
+    pub fn take_resultants(&mut self) -> Vec<Vector6<f64>> {
+        std::mem::take(&mut self.instants.resultants)
+    }
+
     /// The stress resultants that geometric stiffness is taken at; none if those of the strains.
     pub fn resultants(&self) -> &[Vector6<f64>] {
         &self.instants.resultants

@@ -63,11 +63,19 @@ impl<L: LinearSolver> Run<'_, L> {
         let equations = &self.newton.equations;
         let (system, has_stations) = (equations.system().clone(), equations.has_stations());
         let trial = self.state.incremented(&system, line.increment, step);
+        if line.is_last && self.leaves_resultants && path.is_none() {
+            let equations = &mut self.newton.equations;
+            *path = Some(equations.resultants_along(self.state, line.increment)?);
+        }
         if !self.evaluate(&trial)? {
             return Ok(None);
         }
         if line.is_last {
-            return Ok(Some((trial, Test::Increment)));
+            let test = match path {
+                Some(_) => Test::IncrementWithResultants,
+                None => Test::Increment,
+            };
+            return Ok(Some((trial, test)));
         }
         let tolerance = self.options.tolerance;
         let accepts = |found: f64| is_monotone(found, step, line.size, tolerance);

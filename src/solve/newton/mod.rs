@@ -25,6 +25,7 @@ use crate::solve::report::{Iteration, NewtonOptions, NewtonReport, Outcome, Timi
 use crate::system::System;
 use crate::work::{LINEARISATION, Work};
 use crate::workers::Workers;
+use nalgebra::Vector6;
 use norms::{norm, remove_means};
 use run::Run;
 pub use scalars::solve_with_scalars;
@@ -54,6 +55,17 @@ fn describe_work(work: &Work) -> String {
 
 /// Matrices and factors of the equations at an instant, in terms of the tangents.
 const AT_INSTANT: f64 = 3.0;
+
+/// A point on the way to what is looked for.
+#[derive(Debug)]
+pub(crate) struct Waypoint {
+    /// An increment that is no longer leads there. If that is more than the tolerance, stress
+    /// resultants go along with it.
+    pub enough: f64,
+    /// Stress resultants that the first geometric stiffness is taken at; those of the strains if
+    /// there are none.
+    pub resultants: Vec<Vector6<f64>>,
+}
 
 /// Newton solver for one system and grid; keeps everything that can be used again.
 #[derive(Debug)]
@@ -206,35 +218,37 @@ impl<L: LinearSolver> Newton<L> {
         options: &NewtonOptions,
         observe: &mut dyn FnMut(&Iteration) -> bool,
     ) -> Result<NewtonReport> {
-        self.find(state, options, true, observe)
+        Ok(self.find(state, options, None, observe)?.0)
     }
 
-    /// As [`Newton::solve`], but whether the multipliers have converged with the motions does not
-    /// matter.
-    pub(crate) fn solve_motions(
+    /// As [`Newton::solve`], to a point on the way: whether the multipliers have converged with the
+    /// motions does not matter. Gives also the stress resultants with which the way goes on, those
+    /// of the strains if there are none.
+    pub(crate) fn approach(
         &mut self,
         state: &mut GridState,
         options: &NewtonOptions,
+        waypoint: Waypoint,
         observe: &mut dyn FnMut(&Iteration) -> bool,
-    ) -> Result<NewtonReport> {
-        self.find(state, options, false, observe)
+    ) -> Result<(NewtonReport, Vec<Vector6<f64>>)> {
+        self.find(state, options, Some(waypoint), observe)
     }
 
     fn find(
         &mut self,
         state: &mut GridState,
         options: &NewtonOptions,
-        with_multipliers: bool,
+        waypoint: Option<Waypoint>,
         observe: &mut dyn FnMut(&Iteration) -> bool,
-    ) -> Result<NewtonReport> {
+    ) -> Result<(NewtonReport, Vec<Vector6<f64>>)> {
         let mut iterations = Vec::new();
         self.linear.prepare(&self.equations, state);
         let workers = self.equations.workers().clone();
         let was_bounded = workers.work().bound(true);
         let mut run = Run::new(self, state, options, &mut iterations, observe);
-        run.with_multipliers = with_multipliers;
+        run.approach(waypoint);
         let end = run.iterate();
-        self.equations.set_resultants(Vec::new());
+        let resultants = self.equations.take_resultants();
         let is_spent = workers.work().is_spent();
         workers.work().bound(was_bounded);
         let ending = match end {
@@ -255,7 +269,7 @@ impl<L: LinearSolver> Newton<L> {
             report.outcome = Outcome::WrongAssembly;
             report.explanation = why;
         }
-        Ok(report)
+        Ok((report, resultants))
     }
 
     /// Solves with the factored Jacobian.

@@ -3,7 +3,7 @@
 use super::norms::{change_of_own, largest_turn};
 use super::verdict::{Ending, Left, SINGULAR_GROWTH, STALLED_GROWTH, Verdict};
 use super::watchdog::Watchdog;
-use super::{ERROR_LEFT, FINEST, FORCING, Newton};
+use super::{ERROR_LEFT, FINEST, FORCING, Newton, Waypoint};
 use crate::collocation::{GridState, ResultantPath};
 use crate::error::{ErrorKind, Result};
 use crate::solve::linear::dense::largest;
@@ -25,6 +25,10 @@ pub(super) struct Run<'a, L> {
     pub options: &'a NewtonOptions,
     /// Whether multipliers are to converge with the motions.
     pub with_multipliers: bool,
+    /// An increment that is no longer is the last.
+    enough: f64,
+    /// Whether the last increment is so long that stress resultants have to go along with it.
+    pub leaves_resultants: bool,
     pub iterations: &'a mut Vec<Iteration>,
     observe: &'a mut dyn FnMut(&Iteration) -> bool,
     /// At the state.
@@ -93,6 +97,8 @@ impl<'a, L: LinearSolver> Run<'a, L> {
             state,
             options,
             with_multipliers: true,
+            enough: options.tolerance,
+            leaves_resultants: false,
             iterations,
             observe,
             residual: vec![0.0; size],
@@ -102,6 +108,17 @@ impl<'a, L: LinearSolver> Run<'a, L> {
             stretching: 0.0,
             short_steps: 0,
         }
+    }
+
+    /// Goes no farther than to a point on the way.
+    pub fn approach(&mut self, waypoint: Option<Waypoint>) {
+        let Some(waypoint) = waypoint else { return };
+        let equations = &mut self.newton.equations;
+        self.with_multipliers = false;
+        self.enough = waypoint.enough;
+        let is_rough = waypoint.enough > self.options.tolerance;
+        self.leaves_resultants = is_rough && equations.has_stations();
+        equations.set_resultants(waypoint.resultants);
     }
 
     /// Goes on to the end.
@@ -132,9 +149,11 @@ impl<'a, L: LinearSolver> Run<'a, L> {
             });
         };
         self.accuracy = (FORCING * size).clamp(FINEST, COARSE);
-        let settled = size <= self.options.tolerance;
+        let settled = size <= self.enough;
         // Multipliers that have no effect grow without bound, and nothing else moves.
-        if settled && let Some(ending) = self.left().contradiction() {
+        if size <= self.options.tolerance
+            && let Some(ending) = self.left().contradiction()
+        {
             return Ok(ControlFlow::Break(ending));
         }
         // Forces that are still to change much are off by as much as the motions are.
@@ -307,9 +326,12 @@ impl<'a, L: LinearSolver> Run<'a, L> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{Model, SectionInput};
+    use crate::collocation::Conditions;
+    use crate::fourier::TimeGrid;
+    use crate::model::{Model, SectionInput, Signal};
     use crate::motion::{Motion, rotation_from_vector};
     use crate::system::System;
+    use crate::test_models::parts::{clamp, push};
     use crate::workers::Workers;
     use nalgebra::Vector3;
     use std::sync::Arc;
@@ -338,5 +360,57 @@ mod tests {
         let node = &mut trial.motions[beam.unwrap().last_node];
         *node = Motion::new(half * node.rotation, node.position);
         assert!(!run.evaluate(&trial).unwrap());
+    }
+
+    /// A slender cantilever that a force bends by most of its length.
+    #[test]
+    fn a_waypoint_reached_by_a_long_increment_is_left_with_resultants_in_equilibrium() {
+        let stiffness = [1e8, 1e8, 1e8, 100.0, 100.0, 100.0];
+        let section = SectionInput::diagonal(&stiffness, &[1.0; 4]).unwrap();
+        let mut model = Model::new();
+        let (start, end, force) = (Vector3::zeros(), Vector3::x() * 10.0, 5.0);
+        let beam = model.add_straight_beam(&start, &end, &Vector3::y(), &section, 4, 2);
+        let beam = beam.unwrap();
+        clamp(&mut model, beam.first_node);
+        let load = Signal::constant(force).unwrap();
+        push(&mut model, beam.last_node, 2, load);
+        let system = Arc::new(System::new(&model, 1.0).unwrap());
+        let mut newton = Newton::at_instant(&system, &Workers::default()).unwrap();
+        let mut reach = |state: &mut GridState, load_factor, enough, resultants| {
+            let conditions = Conditions {
+                load_factor,
+                ..Conditions::at(0.0)
+            };
+            newton.equations.set_conditions(conditions).unwrap();
+            let waypoint = Waypoint { enough, resultants };
+            let reached = newton.approach(state, &OPTIONS, waypoint, &mut |_| true);
+            let (report, resultants) = reached.unwrap();
+            newton.equations.update_kinematics(state);
+            let of_strains = newton.equations.resultants_of_strains().unwrap();
+            let sizes: Vec<f64> = report.iterations.iter().map(|i| i.increment).collect();
+            (report.outcome, sizes, [resultants, of_strains])
+        };
+        let reference = GridState::reference(&system, TimeGrid::new(1, 1.0).unwrap());
+        let (_, sizes, [none, _]) = reach(&mut reference.clone(), 0.5, 1e-9, Vec::new());
+        let enough = *sizes.iter().find(|size| **size < 0.1).unwrap();
+        assert!(enough > 1e-3 && none.is_empty(), "{sizes:?}");
+
+        let mut there = reference;
+        let (outcome, sizes, [carried, of_strains]) =
+            reach(&mut there, 0.5, 1.0001 * enough, Vec::new());
+        assert_eq!(outcome, Outcome::Converged);
+        assert!((sizes.last().unwrap() / enough - 1.0).abs() < 1e-9);
+        let axial = |all: &[Vector6<f64>]| all.iter().fold(0.0f64, |m, s| m.max(s[0].abs()));
+        let (carried_axial, stretching) = (axial(&carried), axial(&of_strains));
+        println!("{carried_axial} {stretching}");
+        // The load is all that there is to carry.
+        assert!(carried_axial < force, "{carried_axial}");
+        assert!(stretching > 1e3 * force, "{stretching}");
+
+        // Twice the load from there: in 5 iterations, with the stretching not in 50.
+        let [with, without] = [carried, Vec::new()]
+            .map(|resultants| reach(&mut there.clone(), 1.0, 1e-9, resultants));
+        assert_eq!(with.0, Outcome::Converged, "{:?}", with.1);
+        assert!(with.1.len() <= 6 && with.1.len() < without.1.len());
     }
 }

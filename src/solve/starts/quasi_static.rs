@@ -4,12 +4,13 @@
 use crate::collocation::{Collocation, Conditions, GivenRates, GridState, LikeBlades, Steady};
 use crate::error::{ErrorKind, Result};
 use crate::fourier::TimeGrid;
-use crate::solve::newton::Newton;
 use crate::solve::newton::branch::Branch;
+use crate::solve::newton::{Newton, Waypoint};
 use crate::solve::report::{Iteration, NewtonOptions, Outcome};
 use crate::solve::step_length::StepLength;
 use crate::system::{Driven, System};
 use crate::workers::Workers;
+use nalgebra::Vector6;
 use std::sync::Arc;
 
 /// Largest increment of a quasi-static solve: its square is the error left.
@@ -17,6 +18,9 @@ const TOLERANCE: f64 = 1e-3;
 /// What that error stretches slender beams by is to be no more geometric stiffness than this part
 /// of their bending stiffness.
 const SPURIOUS: f64 = 0.5;
+/// Largest increment on the way to the loads, from where it goes on with stress resultants that do
+/// not know of that stretching: its square, the error left, is about the tolerance.
+const ON_THE_WAY: f64 = 0.03;
 /// A step that needs more iterations than this has failed; one in time is halved.
 const ITERATION_LIMIT: usize = 12;
 /// A load step along which Newton's method goes on by so many short ones has failed,
@@ -49,10 +53,31 @@ pub(crate) struct Guess {
 /// Why there is no equilibrium.
 type Failure = (Outcome, String);
 
+/// An equilibrium.
+struct Found {
+    state: GridState,
+    /// With which a way of loads goes on from there; those of the strains if there are none.
+    resultants: Vec<Vector6<f64>>,
+    iterations: usize,
+}
+
+/// What an equilibrium is looked for at.
+struct Stop {
+    time: f64,
+    load_factor: f64,
+    /// Since the present state.
+    passed: f64,
+    keeps_branch: bool,
+    /// Whether loads are still to grow.
+    on_the_way: bool,
+}
+
 /// Static equilibrium at one time, tracked from one set of conditions to the next.
 pub(crate) struct Tracker<'a> {
     pub newton: Newton,
     pub state: GridState,
+    /// At the state, on the way to the loads; none if those of the strains.
+    resultants: Vec<Vector6<f64>>,
     pub observe: &'a mut dyn FnMut(&Iteration) -> bool,
     /// Why the last way was not followed to its end.
     pub failure: Option<Failure>,
@@ -78,6 +103,7 @@ impl<'a> Tracker<'a> {
         Ok(Tracker {
             state: GridState::reference(system, newton.equations.grid()),
             newton,
+            resultants: Vec::new(),
             observe,
             failure: None,
             reached: 0.0,
@@ -177,12 +203,21 @@ impl<'a> Tracker<'a> {
             } else {
                 next
             };
+            let (time, load_factor) = conditions(next);
             let passed = span * (next - reached);
-            match self.find(&system, conditions(next), passed, keeps_branch)? {
-                Ok((trial, iterations)) => {
-                    self.go_to(trial, keeps_branch.then_some(passed));
+            let stop = Stop {
+                time,
+                load_factor,
+                passed,
+                keeps_branch,
+                on_the_way: span <= 0.0 && next < 1.0,
+            };
+            match self.find(&system, &stop)? {
+                Ok(found) => {
+                    self.go_to(found.state, keeps_branch.then_some(passed));
+                    self.resultants = found.resultants;
                     reached = next;
-                    if iterations <= EASY_ITERATIONS {
+                    if found.iterations <= EASY_ITERATIONS {
                         step.grow(step.get(), 2.0);
                     }
                 }
@@ -202,36 +237,41 @@ impl<'a> Tracker<'a> {
         Ok(true)
     }
 
-    /// Looks for equilibrium at `(time, load factor)`, so long after the present state, with the
-    /// iterations that it took or why there is none.
+    /// Looks for equilibrium; why there is none, otherwise.
     fn find(
         &mut self,
         system: &System,
-        (time, load_factor): (f64, f64),
-        passed: f64,
-        keeps_branch: bool,
-    ) -> Result<std::result::Result<(GridState, usize), Failure>> {
-        self.set_conditions(time, load_factor)?;
-        let mut trial = self.expected(system, passed);
+        stop: &Stop,
+    ) -> Result<std::result::Result<Found, Failure>> {
+        self.set_conditions(stop.time, stop.load_factor)?;
+        let mut state = self.expected(system, stop.passed);
         let options = NewtonOptions {
             tolerance: self.tolerance,
             iteration_limit: ITERATION_LIMIT,
         };
-        self.newton.patience = (passed <= 0.0).then_some(PATIENCE);
-        let report = self
-            .newton
-            .solve_motions(&mut trial, &options, self.observe);
+        let has_stations = self.newton.equations.has_stations();
+        let waypoint = Waypoint {
+            enough: match stop.on_the_way && has_stations {
+                true => ON_THE_WAY,
+                false => self.tolerance,
+            },
+            resultants: self.resultants.clone(),
+        };
+        self.newton.patience = (stop.passed <= 0.0).then_some(PATIENCE);
+        let report = (self.newton).approach(&mut state, &options, waypoint, self.observe);
         self.newton.patience = None;
-        let iterations = match report {
-            Ok(report) if report.outcome == Outcome::Converged => report.iterations.len(),
-            Ok(report) => return Ok(Err((report.outcome, report.explanation))),
+        let (iterations, resultants) = match report {
+            Ok((report, resultants)) if report.outcome == Outcome::Converged => {
+                (report.iterations.len(), resultants)
+            }
+            Ok((report, _)) => return Ok(Err((report.outcome, report.explanation))),
             Err(error) if error.kind() == ErrorKind::Callback => return Err(error),
             Err(error) => return Ok(Err((Outcome::Stalled, error.to_string()))),
         };
-        if keeps_branch {
-            match self.newton.determinant(&trial)? {
+        if stop.keeps_branch {
+            match self.newton.determinant(&state)? {
                 Some(determinant) if self.branch.continues(determinant) => {
-                    self.branch.advance(time, determinant);
+                    self.branch.advance(stop.time, determinant);
                 }
                 _ => {
                     let why = "the equilibrium that was followed ends".into();
@@ -239,7 +279,11 @@ impl<'a> Tracker<'a> {
                 }
             }
         }
-        Ok(Ok((trial, iterations)))
+        Ok(Ok(Found {
+            state,
+            resultants,
+            iterations,
+        }))
     }
 
     /// Goes on from `state`. If its branch is kept, what has been before tells what comes next,
