@@ -87,6 +87,7 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_SHELL_NORMALS = 1900
     integer(c_int32_t), parameter :: PDN_SHELL_PARALLEL = 1901
     integer(c_int32_t), parameter :: PDN_SHELL_NODE_AXES = 1902
+    integer(c_int32_t), parameter :: PDN_SHELL_NODE_FRAMES = 1903
     integer(c_int32_t), parameter :: PDN_SHELL_EDGE_START_ETA = 2000
     integer(c_int32_t), parameter :: PDN_SHELL_EDGE_END_XI = 2001
     integer(c_int32_t), parameter :: PDN_SHELL_EDGE_END_ETA = 2002

@@ -413,6 +413,12 @@
 #define PDN_SHELL_NODE_AXES 1902
 
 /**
+ * Frames of a shell: those of the nodes themselves, with their third axes for normals, if they are
+ * known from elsewhere. Those of an element should turn from node to node no more than it does.
+ */
+#define PDN_SHELL_NODE_FRAMES 1903
+
+/**
  * Place of a load on a shell element: its edge where eta = -1, along xi.
  */
 #define PDN_SHELL_EDGE_START_ETA 2000
@@ -1636,7 +1642,7 @@ typedef struct pdn_shell_placement {
      */
     size_t struct_size;
     /**
-     * PDN_SHELL_NORMALS, PDN_SHELL_PARALLEL or PDN_SHELL_NODE_AXES.
+     * PDN_SHELL_NORMALS, PDN_SHELL_PARALLEL, PDN_SHELL_NODE_AXES or PDN_SHELL_NODE_FRAMES.
      */
     int32_t frames;
     /**

@@ -271,6 +271,9 @@ enum class ShellFrames : std::int32_t {
     /** Frames of a shell: along the third axes of the nodes' own frames, as normals of a surface
      * that is known better than its elements show it; of use with two nodes a side. */
     node_axes = PDN_SHELL_NODE_AXES,
+    /** Frames of a shell: those of the nodes themselves, with their third axes for normals, if they
+     * are known from elsewhere. */
+    node_frames = PDN_SHELL_NODE_FRAMES,
 };
 /** Place of a load on a shell element. */
 enum class ShellPlace : std::int32_t {
@@ -1308,7 +1311,7 @@ struct ShellPlacement : pdn_shell_placement {
         : pdn_shell_placement(detail::initialised(pdn_shell_placement_init))
     {
     }
-    /** PDN_SHELL_NORMALS, PDN_SHELL_PARALLEL or PDN_SHELL_NODE_AXES. */
+    /** PDN_SHELL_NORMALS, PDN_SHELL_PARALLEL, PDN_SHELL_NODE_AXES or PDN_SHELL_NODE_FRAMES. */
     ShellFrames frames = static_cast<ShellFrames>(pdn_shell_placement::frames);
     /** As the library takes it, valid while this object stays as it is. */
     const pdn_shell_placement *get()

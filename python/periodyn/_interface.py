@@ -183,6 +183,10 @@ SHELL_NODE_AXES = 1902
 """Frames of a shell: along the third axes of the nodes' own frames, as normals of a surface that
 is known better than its elements show it; of use with two nodes a side.
 """
+SHELL_NODE_FRAMES = 1903
+"""Frames of a shell: those of the nodes themselves, with their third axes for normals, if they are
+known from elsewhere. Those of an element should turn from node to node no more than it does.
+"""
 SHELL_EDGE_START_ETA = 2000
 """Place of a load on a shell element: its edge where eta = -1, along xi."""
 SHELL_EDGE_END_XI = 2001
@@ -1034,7 +1038,7 @@ class ShellPlacement(Struct):
     _type = "pdn_shell_placement"
     _initialise = lib.pdn_shell_placement_init
     frames = Number("frames")
-    """SHELL_NORMALS, SHELL_PARALLEL or SHELL_NODE_AXES."""
+    """SHELL_NORMALS, SHELL_PARALLEL, SHELL_NODE_AXES or SHELL_NODE_FRAMES."""
     offset = Number("offset")
     """Distance of the surface that the section belongs to from the nodes, along the normal
     [length]; default: 0.

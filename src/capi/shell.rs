@@ -27,6 +27,9 @@ pub const PDN_SHELL_PARALLEL: i32 = 1901;
 /// Frames of a shell: along the third axes of the nodes' own frames, as normals of a surface that
 /// is known better than its elements show it; of use with two nodes a side.
 pub const PDN_SHELL_NODE_AXES: i32 = 1902;
+/// Frames of a shell: those of the nodes themselves, with their third axes for normals, if they are
+/// known from elsewhere. Those of an element should turn from node to node no more than it does.
+pub const PDN_SHELL_NODE_FRAMES: i32 = 1903;
 
 /// Place of a load on a shell element: its edge where eta = -1, along xi.
 pub const PDN_SHELL_EDGE_START_ETA: i32 = 2000;
@@ -91,7 +94,7 @@ impl pdn_shell_section {
 pub struct pdn_shell_placement {
     /// Set by the initialiser.
     pub struct_size: usize,
-    /// PDN_SHELL_NORMALS, PDN_SHELL_PARALLEL or PDN_SHELL_NODE_AXES.
+    /// PDN_SHELL_NORMALS, PDN_SHELL_PARALLEL, PDN_SHELL_NODE_AXES or PDN_SHELL_NODE_FRAMES.
     pub frames: i32,
     /// Leave it zero.
     pub reserved: i32,
@@ -126,8 +129,10 @@ impl pdn_shell_placement {
             (PDN_SHELL_NORMALS, ShellFrames::Normals),
             (PDN_SHELL_PARALLEL, ShellFrames::Parallel),
             (PDN_SHELL_NODE_AXES, ShellFrames::NodeAxes),
+            (PDN_SHELL_NODE_FRAMES, ShellFrames::NodeFrames),
         ];
-        let names = "PDN_SHELL_NORMALS, PDN_SHELL_PARALLEL or PDN_SHELL_NODE_AXES";
+        let names = "PDN_SHELL_NORMALS, PDN_SHELL_PARALLEL, PDN_SHELL_NODE_AXES or \
+                     PDN_SHELL_NODE_FRAMES";
         let frames = choose(&table, self.frames, "frames", names)?;
         require_finite("offset", &[self.offset])?;
         require_finite("direction", &self.direction)?;

@@ -20,6 +20,17 @@ pub enum ShellFrames {
     /// of a surface that is known better than its elements show it. With two nodes a side these
     /// bend much better along cylinders, and somewhat worse in doubly curved shells.
     NodeAxes,
+    /// The frames of the nodes themselves, with their third axes for normals: frames that are known
+    /// from elsewhere. Those of an element should turn from node to node no more than its surface
+    /// does; where it is flat they should be parallel.
+    NodeFrames,
+}
+
+impl ShellFrames {
+    /// Whether third axes of the nodes' frames are the normals.
+    fn are_of_nodes(self) -> bool {
+        matches!(self, ShellFrames::NodeAxes | ShellFrames::NodeFrames)
+    }
 }
 
 /// Least cosine between the third axis of a node's frame and the normal there of the element.
@@ -94,7 +105,7 @@ pub fn element_frames(
 ) -> Result<Vec<Motion>> {
     let positions: Vec<_> = reference.iter().map(|m| m.position).collect();
     let mut normals = normals(grid, &positions)?;
-    if kind == ShellFrames::NodeAxes {
+    if kind.are_of_nodes() {
         for (number, (normal, node)) in normals.iter_mut().zip(reference).enumerate() {
             let axis: Vector3<f64> = node.rotation.column(2).into();
             let cosine = axis.dot(normal);
@@ -117,16 +128,19 @@ pub fn element_frames(
     let nodes = reference.iter().zip(&normals);
     nodes
         .map(|(node, normal)| {
-            let turn = match kind {
-                ShellFrames::Normals | ShellFrames::NodeAxes => smallest_rotation(&third, normal)
-                    .ok_or_else(|| {
-                    let message = "nodes: a shell element turns by more than its order can follow: \
-                                   use smaller elements";
-                    Error::new(ErrorKind::Model, message)
-                })?,
-                ShellFrames::Parallel => Matrix3::identity(),
+            let frame = match kind {
+                ShellFrames::Normals | ShellFrames::NodeAxes => {
+                    let turn = smallest_rotation(&third, normal).ok_or_else(|| {
+                        let message = "nodes: a shell element turns by more than its order can \
+                                       follow: use smaller elements";
+                        Error::new(ErrorKind::Model, message)
+                    })?;
+                    turn * parallel
+                }
+                ShellFrames::Parallel => parallel,
+                ShellFrames::NodeFrames => node.rotation,
             };
-            let rotation = node.rotation.tr_mul(&(turn * parallel));
+            let rotation = node.rotation.tr_mul(&frame);
             let position = node.rotation.tr_mul(&(normal * offset));
             Ok(Motion::new(rotation, position))
         })
