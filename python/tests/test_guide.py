@@ -1,11 +1,17 @@
-"""The guide's blocks run in their order and print what it says."""
+"""The guide's blocks run in their order and print what it says; so do the tutorial's programs."""
 
 import contextlib
 import io
 import pathlib
 import re
+import subprocess
+import sys
 
-GUIDE = pathlib.Path(__file__).parents[2] / "docs/guide.md"
+import pytest
+
+ROOT = pathlib.Path(__file__).parents[2]
+GUIDE = ROOT / "docs/guide.md"
+PROGRAMS = sorted(path.stem for path in (ROOT / "docs/tutorial").glob("*.c"))
 
 
 def masked(text):
@@ -33,3 +39,15 @@ def test_the_guide_tells_what_happens():
             assert masked(printed) == masked(block)
             compared += 1
     assert compared == len([kind for kind, _ in blocks if kind != "python"]) > 8
+
+
+@pytest.mark.parametrize("name", PROGRAMS)
+def test_the_tutorial_tells_what_happens(name):
+    stem = ROOT / "docs/tutorial" / name
+    same = ROOT / "tests/languages/same_text.py"
+    program = [sys.executable, stem.with_suffix(".py")]
+    subprocess.run([sys.executable, same, stem.with_suffix(".txt"), *program], check=True)
+
+
+def test_the_tutorial_has_five_programs():
+    assert len(PROGRAMS) == 5

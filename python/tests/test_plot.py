@@ -1,5 +1,10 @@
 """Pictures hold what they are made of."""
 
+import pathlib
+import re
+import subprocess
+import sys
+
 import matplotlib
 import numpy as np
 import pytest
@@ -8,6 +13,7 @@ from models import cantilever, oscillator
 import periodyn as pdn
 
 matplotlib.use("Agg")
+ROOT = pathlib.Path(__file__).parents[2]
 plot = pytest.importorskip("periodyn.plot")
 
 
@@ -30,3 +36,16 @@ def test_lines_in_space():
     model, beam, _ = cantilever()
     axes = plot.lines(model.solve_static(), [range(beam.first, beam.last + 1)], [0.0])
     assert len(axes.lines) == 1
+
+
+def test_joints_and_elements_are_drawn(tmp_path):
+    subprocess.run([sys.executable, ROOT / "script/draw_joints", tmp_path], check=True)
+    page = (ROOT / "docs/joints.md").read_text(encoding="utf-8")
+    table = page.partition("## The joints")[2].partition("## Names")[0]
+    joints = re.findall(r"^\| (\w+)[^|]* \| [^|]+ \| \d ", table, re.M)
+    assert len(joints) == 10
+    for name, titles in [("joints", joints), ("elements", ["beam element", "bushing"])]:
+        drawn = (tmp_path / f"{name}.svg").read_text(encoding="utf-8")
+        kept = (ROOT / f"docs/images/{name}.svg").read_text(encoding="utf-8")
+        for title in titles:
+            assert f">{title}</text>" in drawn and f">{title}</text>" in kept

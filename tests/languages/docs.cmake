@@ -24,3 +24,15 @@ if(TARGET periodyn::fortran)
     add_docs_program(fortran f90 periodyn::fortran)
     target_compile_options(docs_fortran PRIVATE ${pdn_fortran_warnings})
 endif()
+
+# What docs/families.md says that the example prints.
+if(PDN_BUILD_EXAMPLES AND PDN_PYTHON)
+    set(page "${PROJECT_SOURCE_DIR}/docs/families.md")
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${page}")
+    file(READ "${page}" text)
+    string(REGEX MATCH "```text\n([^`]*)```" printed "${text}")
+    file(CONFIGURE OUTPUT sensitivities.txt CONTENT "${CMAKE_MATCH_1}" @ONLY)
+    add_test(NAME docs.sensitivities
+        COMMAND ${PDN_PYTHON} "${CMAKE_CURRENT_SOURCE_DIR}/same_text.py"
+            "${CMAKE_CURRENT_BINARY_DIR}/sensitivities.txt" $<TARGET_FILE:sensitivities>)
+endif()
