@@ -1133,7 +1133,7 @@ module periodyn_c
             integer(c_int32_t), value :: first
             integer(c_int32_t), value :: second
             real(c_double), intent(in) :: point(*)
-            integer(c_int32_t), intent(inout) :: joint
+            integer(c_int32_t), intent(inout), optional :: joint
             integer(c_int32_t) :: pdn_model_add_rigid_joint
         end function pdn_model_add_rigid_joint
 
@@ -1146,7 +1146,7 @@ module periodyn_c
             integer(c_int32_t), value :: second
             real(c_double), intent(in) :: point(*)
             real(c_double), intent(in) :: axis(*)
-            integer(c_int32_t), intent(inout) :: joint
+            integer(c_int32_t), intent(inout), optional :: joint
             integer(c_int32_t) :: pdn_model_add_revolute
         end function pdn_model_add_revolute
 
@@ -1159,7 +1159,7 @@ module periodyn_c
             integer(c_int32_t), value :: second
             real(c_double), intent(in) :: point(*)
             real(c_double), intent(in) :: axis(*)
-            integer(c_int32_t), intent(inout) :: joint
+            integer(c_int32_t), intent(inout), optional :: joint
             integer(c_int32_t) :: pdn_model_add_prismatic
         end function pdn_model_add_prismatic
 
@@ -1172,7 +1172,7 @@ module periodyn_c
             integer(c_int32_t), value :: second
             real(c_double), intent(in) :: point(*)
             real(c_double), intent(in) :: axis(*)
-            integer(c_int32_t), intent(inout) :: joint
+            integer(c_int32_t), intent(inout), optional :: joint
             integer(c_int32_t) :: pdn_model_add_cylindrical
         end function pdn_model_add_cylindrical
 
@@ -1186,7 +1186,7 @@ module periodyn_c
             real(c_double), intent(in) :: point(*)
             real(c_double), intent(in) :: axis(*)
             real(c_double), value :: pitch
-            integer(c_int32_t), intent(inout) :: joint
+            integer(c_int32_t), intent(inout), optional :: joint
             integer(c_int32_t) :: pdn_model_add_screw
         end function pdn_model_add_screw
 
@@ -1199,7 +1199,7 @@ module periodyn_c
             integer(c_int32_t), value :: second
             real(c_double), intent(in) :: point(*)
             real(c_double), intent(in) :: normal(*)
-            integer(c_int32_t), intent(inout) :: joint
+            integer(c_int32_t), intent(inout), optional :: joint
             integer(c_int32_t) :: pdn_model_add_planar
         end function pdn_model_add_planar
 
@@ -1211,7 +1211,7 @@ module periodyn_c
             integer(c_int32_t), value :: first
             integer(c_int32_t), value :: second
             real(c_double), intent(in) :: point(*)
-            integer(c_int32_t), intent(inout) :: joint
+            integer(c_int32_t), intent(inout), optional :: joint
             integer(c_int32_t) :: pdn_model_add_free_joint
         end function pdn_model_add_free_joint
 
@@ -1223,7 +1223,7 @@ module periodyn_c
             integer(c_int32_t), value :: first
             integer(c_int32_t), value :: second
             real(c_double), intent(in) :: point(*)
-            integer(c_int32_t), intent(inout) :: joint
+            integer(c_int32_t), intent(inout), optional :: joint
             integer(c_int32_t) :: pdn_model_add_spherical
         end function pdn_model_add_spherical
 
@@ -1237,7 +1237,7 @@ module periodyn_c
             real(c_double), intent(in) :: point(*)
             real(c_double), intent(in) :: first_arm(*)
             real(c_double), intent(in) :: second_arm(*)
-            integer(c_int32_t), intent(inout) :: joint
+            integer(c_int32_t), intent(inout), optional :: joint
             integer(c_int32_t) :: pdn_model_add_universal
         end function pdn_model_add_universal
 
@@ -1250,7 +1250,7 @@ module periodyn_c
             integer(c_int32_t), value :: second
             real(c_double), intent(in) :: first_point(*)
             real(c_double), intent(in) :: second_point(*)
-            integer(c_int32_t), intent(inout) :: joint
+            integer(c_int32_t), intent(inout), optional :: joint
             integer(c_int32_t) :: pdn_model_add_strut
         end function pdn_model_add_strut
 
@@ -1264,7 +1264,7 @@ module periodyn_c
             integer(c_int32_t), value :: second
             type(pdn_frame), intent(in) :: first_frame
             type(pdn_frame), intent(in) :: second_frame
-            integer(c_int32_t), intent(inout) :: joint
+            integer(c_int32_t), intent(inout), optional :: joint
             integer(c_int32_t) :: pdn_model_add_joint
         end function pdn_model_add_joint
 
@@ -1278,7 +1278,7 @@ module periodyn_c
             type(pdn_frame), intent(in) :: first_frame
             type(pdn_frame), intent(in) :: second_frame
             real(c_double), value :: pitch
-            integer(c_int32_t), intent(inout) :: joint
+            integer(c_int32_t), intent(inout), optional :: joint
             integer(c_int32_t) :: pdn_model_add_screw_between
         end function pdn_model_add_screw_between
 
@@ -5683,12 +5683,9 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: found_joint, status
+        integer(c_int32_t) :: status
 
-        status = pdn_model_add_rigid_joint(self%c, first, second, point, found_joint)
-        if (status == PDN_OK) then
-            if (present(joint)) joint = found_joint
-        end if
+        status = pdn_model_add_rigid_joint(self%c, first, second, point, joint)
         call report(status, stat, errmsg)
     end subroutine model_add_rigid_joint
 
@@ -5700,12 +5697,9 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: found_joint, status
+        integer(c_int32_t) :: status
 
-        status = pdn_model_add_revolute(self%c, first, second, point, axis, found_joint)
-        if (status == PDN_OK) then
-            if (present(joint)) joint = found_joint
-        end if
+        status = pdn_model_add_revolute(self%c, first, second, point, axis, joint)
         call report(status, stat, errmsg)
     end subroutine model_add_revolute
 
@@ -5717,12 +5711,9 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: found_joint, status
+        integer(c_int32_t) :: status
 
-        status = pdn_model_add_prismatic(self%c, first, second, point, axis, found_joint)
-        if (status == PDN_OK) then
-            if (present(joint)) joint = found_joint
-        end if
+        status = pdn_model_add_prismatic(self%c, first, second, point, axis, joint)
         call report(status, stat, errmsg)
     end subroutine model_add_prismatic
 
@@ -5734,12 +5725,9 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: found_joint, status
+        integer(c_int32_t) :: status
 
-        status = pdn_model_add_cylindrical(self%c, first, second, point, axis, found_joint)
-        if (status == PDN_OK) then
-            if (present(joint)) joint = found_joint
-        end if
+        status = pdn_model_add_cylindrical(self%c, first, second, point, axis, joint)
         call report(status, stat, errmsg)
     end subroutine model_add_cylindrical
 
@@ -5751,12 +5739,9 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: found_joint, status
+        integer(c_int32_t) :: status
 
-        status = pdn_model_add_screw(self%c, first, second, point, axis, pitch, found_joint)
-        if (status == PDN_OK) then
-            if (present(joint)) joint = found_joint
-        end if
+        status = pdn_model_add_screw(self%c, first, second, point, axis, pitch, joint)
         call report(status, stat, errmsg)
     end subroutine model_add_screw
 
@@ -5768,12 +5753,9 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: found_joint, status
+        integer(c_int32_t) :: status
 
-        status = pdn_model_add_planar(self%c, first, second, point, normal, found_joint)
-        if (status == PDN_OK) then
-            if (present(joint)) joint = found_joint
-        end if
+        status = pdn_model_add_planar(self%c, first, second, point, normal, joint)
         call report(status, stat, errmsg)
     end subroutine model_add_planar
 
@@ -5785,12 +5767,9 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: found_joint, status
+        integer(c_int32_t) :: status
 
-        status = pdn_model_add_free_joint(self%c, first, second, point, found_joint)
-        if (status == PDN_OK) then
-            if (present(joint)) joint = found_joint
-        end if
+        status = pdn_model_add_free_joint(self%c, first, second, point, joint)
         call report(status, stat, errmsg)
     end subroutine model_add_free_joint
 
@@ -5802,12 +5781,9 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: found_joint, status
+        integer(c_int32_t) :: status
 
-        status = pdn_model_add_spherical(self%c, first, second, point, found_joint)
-        if (status == PDN_OK) then
-            if (present(joint)) joint = found_joint
-        end if
+        status = pdn_model_add_spherical(self%c, first, second, point, joint)
         call report(status, stat, errmsg)
     end subroutine model_add_spherical
 
@@ -5820,13 +5796,10 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: found_joint, status
+        integer(c_int32_t) :: status
 
         status = pdn_model_add_universal(self%c, first, second, point, first_arm, second_arm, &
-            found_joint)
-        if (status == PDN_OK) then
-            if (present(joint)) joint = found_joint
-        end if
+            joint)
         call report(status, stat, errmsg)
     end subroutine model_add_universal
 
@@ -5839,13 +5812,9 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: found_joint, status
+        integer(c_int32_t) :: status
 
-        status = pdn_model_add_strut(self%c, first, second, first_point, second_point, &
-            found_joint)
-        if (status == PDN_OK) then
-            if (present(joint)) joint = found_joint
-        end if
+        status = pdn_model_add_strut(self%c, first, second, first_point, second_point, joint)
         call report(status, stat, errmsg)
     end subroutine model_add_strut
 
@@ -5858,13 +5827,10 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: found_joint, status
+        integer(c_int32_t) :: status
 
         status = pdn_model_add_joint(self%c, kind, first, second, first_frame, second_frame, &
-            found_joint)
-        if (status == PDN_OK) then
-            if (present(joint)) joint = found_joint
-        end if
+            joint)
         call report(status, stat, errmsg)
     end subroutine model_add_joint
 
@@ -5878,13 +5844,10 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: found_joint, status
+        integer(c_int32_t) :: status
 
         status = pdn_model_add_screw_between(self%c, first, second, first_frame, second_frame, &
-            pitch, found_joint)
-        if (status == PDN_OK) then
-            if (present(joint)) joint = found_joint
-        end if
+            pitch, joint)
         call report(status, stat, errmsg)
     end subroutine model_add_screw_between
 

@@ -3953,7 +3953,7 @@ pdn_status pdn_model_prescribe(struct pdn_model *model,
  * @param first  id of the first node, or PDN_GROUND
  * @param second  id of the second node, or PDN_GROUND; not the same body
  * @param point  array of length 3: where the reaction is reported, global coordinates [length]
- * @param joint  the joint's id; written on success only
+ * @param joint  the joint's id; may be NULL if it is not wanted; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
  *
  * Threads: exclusive use of `model`.
@@ -3978,7 +3978,7 @@ pdn_status pdn_model_add_rigid_joint(struct pdn_model *model,
  * @param second  id of the second node, or PDN_GROUND; not the same body
  * @param point  array of length 3: a point of the axis, global coordinates [length]
  * @param axis  array of length 3: direction of the axis, global coordinates, of any nonzero length
- * @param joint  the joint's id; written on success only
+ * @param joint  the joint's id; may be NULL if it is not wanted; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
  *
  * Threads: exclusive use of `model`.
@@ -4004,7 +4004,7 @@ pdn_status pdn_model_add_revolute(struct pdn_model *model,
  * @param second  id of the second node, or PDN_GROUND; not the same body
  * @param point  array of length 3: a point of the axis, global coordinates [length]
  * @param axis  array of length 3: direction of the axis, global coordinates, of any nonzero length
- * @param joint  the joint's id; written on success only
+ * @param joint  the joint's id; may be NULL if it is not wanted; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
  *
  * Threads: exclusive use of `model`.
@@ -4031,7 +4031,7 @@ pdn_status pdn_model_add_prismatic(struct pdn_model *model,
  * @param second  id of the second node, or PDN_GROUND; not the same body
  * @param point  array of length 3: a point of the axis, global coordinates [length]
  * @param axis  array of length 3: direction of the axis, global coordinates, of any nonzero length
- * @param joint  the joint's id; written on success only
+ * @param joint  the joint's id; may be NULL if it is not wanted; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
  *
  * Threads: exclusive use of `model`.
@@ -4059,7 +4059,7 @@ pdn_status pdn_model_add_cylindrical(struct pdn_model *model,
  * @param axis  array of length 3: direction of the axis, global coordinates, of any nonzero length
  * @param pitch  advance for one turn [length]; positive for a right-handed thread, negative for a
  *     left-handed one, not zero
- * @param joint  the joint's id; written on success only
+ * @param joint  the joint's id; may be NULL if it is not wanted; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
  *
  * Threads: exclusive use of `model`.
@@ -4089,7 +4089,7 @@ pdn_status pdn_model_add_screw(struct pdn_model *model,
  * @param point  array of length 3: a point of the plane, whose displacement is measured, global
  *     coordinates [length]
  * @param normal  array of length 3: normal of the plane, global coordinates, of any nonzero length
- * @param joint  the joint's id; written on success only
+ * @param joint  the joint's id; may be NULL if it is not wanted; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
  *
  * Threads: exclusive use of `model`.
@@ -4116,7 +4116,7 @@ pdn_status pdn_model_add_planar(struct pdn_model *model,
  * @param first  id of the first node, or PDN_GROUND
  * @param second  id of the second node, or PDN_GROUND; not the same body
  * @param point  array of length 3: whose displacement is measured, global coordinates [length]
- * @param joint  the joint's id; written on success only
+ * @param joint  the joint's id; may be NULL if it is not wanted; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
  *
  * Threads: exclusive use of `model`.
@@ -4142,7 +4142,7 @@ pdn_status pdn_model_add_free_joint(struct pdn_model *model,
  * @param first  id of the first node, or PDN_GROUND
  * @param second  id of the second node, or PDN_GROUND; not the same body
  * @param point  array of length 3: centre of the ball, global coordinates [length]
- * @param joint  the joint's id; written on success only
+ * @param joint  the joint's id; may be NULL if it is not wanted; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
  *
  * Threads: exclusive use of `model`.
@@ -4171,7 +4171,7 @@ pdn_status pdn_model_add_spherical(struct pdn_model *model,
  * @param first_arm  array of length 3: direction of the arm fixed to the first body, global
  *     coordinates, of any nonzero length
  * @param second_arm  array of length 3: that of the arm fixed to the second body, perpendicular
- * @param joint  the joint's id; written on success only
+ * @param joint  the joint's id; may be NULL if it is not wanted; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
  *
  * Threads: exclusive use of `model`.
@@ -4200,7 +4200,7 @@ pdn_status pdn_model_add_universal(struct pdn_model *model,
  * @param first_point  array of length 3: the point of the first body in the reference
  *     configuration, global coordinates [length]
  * @param second_point  array of length 3: that of the second body, not the same
- * @param joint  the joint's id; written on success only
+ * @param joint  the joint's id; may be NULL if it is not wanted; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
  *
  * Threads: exclusive use of `model`.
@@ -4242,7 +4242,7 @@ pdn_status pdn_model_add_strut(struct pdn_model *model,
  * @param first_frame  frame fixed to the first body, where it is in the reference configuration;
  *     not NULL
  * @param second_frame  frame fixed to the second body, likewise; not NULL
- * @param joint  the joint's id; written on success only
+ * @param joint  the joint's id; may be NULL if it is not wanted; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
  *
  * Threads: exclusive use of `model`.
@@ -4273,7 +4273,7 @@ pdn_status pdn_model_add_joint(struct pdn_model *model,
  * @param second_frame  frame fixed to the second body, likewise; not NULL
  * @param pitch  advance for one turn [length]; positive for a right-handed thread, negative for a
  *     left-handed one, not zero
- * @param joint  the joint's id; written on success only
+ * @param joint  the joint's id; may be NULL if it is not wanted; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
  *
  * Threads: exclusive use of `model`.

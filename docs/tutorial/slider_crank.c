@@ -22,14 +22,14 @@ int main(void)
     const double of_piston[9] = {4e-4, 0, 0, 0, 4e-4, 0, 0, 0, 4e-4};
     pdn_model *model = NULL;
     pdn_beam rod;
-    int32_t crank, piston, motor, pin_joint, gudgeon, slide;
+    int32_t crank, piston, motor, slide;
     TRY(pdn_model_new(&model));
     TRY(pdn_model_add_rigid_body(model, 1.0, centre, of_crank, &crank));
     TRY(pdn_model_add_straight_beam(model, pin, far, y, &steel, 4, 3, &rod));
     TRY(pdn_model_add_rigid_body(model, 0.6, far, of_piston, &piston));
     TRY(pdn_model_add_revolute(model, PDN_GROUND, crank, centre, z, &motor));
-    TRY(pdn_model_add_revolute(model, crank, rod.first, pin, z, &pin_joint));
-    TRY(pdn_model_add_revolute(model, rod.last, piston, far, z, &gudgeon));
+    TRY(pdn_model_add_revolute(model, crank, rod.first, pin, z, NULL));
+    TRY(pdn_model_add_revolute(model, rod.last, piston, far, z, NULL));
     TRY(pdn_model_add_prismatic(model, PDN_GROUND, piston, far, x, &slide));
     TRY(pdn_model_add_spring_damper(model, slide, PDN_DISPLACEMENT, 0, 20, 0, NULL));
     pdn_signal turn;

@@ -125,17 +125,19 @@ fn add_joint(
     joint: *mut i32,
     frames: impl FnOnce(&Call) -> Result<(JointKind, Motion, Motion)>,
 ) -> pdn_status {
-    guard(|call| {
-        let mut model: Exclusive<Model> = call.exclusive(model, "model")?;
-        let first = body(&model, bodies.first, "first")?;
-        let second = body(&model, bodies.second, "second")?;
-        let (kind, first_frame, second_frame) = frames(call)?;
-        let joint = call.out(joint, "joint")?;
-        let id = Kind::Joint.next(&model, 1, "joint")?;
-        model.add_joint(kind, first, second, &first_frame, &second_frame)?;
-        joint.set(id);
-        Ok(())
-    })
+    add_object(
+        model,
+        Kind::Joint,
+        (joint, "joint"),
+        |call, model| {
+            let first = body(model, bodies.first, "first")?;
+            let second = body(model, bodies.second, "second")?;
+            Ok((first, second, frames(call)?))
+        },
+        |model, (first, second, (kind, first_frame, second_frame))| {
+            model.add_joint(kind, first, second, &first_frame, &second_frame)
+        },
+    )
 }
 
 /// The frame at a point with axis 3 along an axis.
@@ -203,7 +205,7 @@ pub unsafe extern "C" fn pdn_model_prescribe(
 /// @param first  id of the first node, or PDN_GROUND
 /// @param second  id of the second node, or PDN_GROUND; not the same body
 /// @param point  array of length 3: where the reaction is reported, global coordinates [length]
-/// @param joint  the joint's id; written on success only
+/// @param joint  the joint's id; may be NULL if it is not wanted; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
 ///
 /// Threads: exclusive use of `model`.
@@ -234,7 +236,7 @@ pub unsafe extern "C" fn pdn_model_add_rigid_joint(
 /// @param second  id of the second node, or PDN_GROUND; not the same body
 /// @param point  array of length 3: a point of the axis, global coordinates [length]
 /// @param axis  array of length 3: direction of the axis, global coordinates, of any nonzero length
-/// @param joint  the joint's id; written on success only
+/// @param joint  the joint's id; may be NULL if it is not wanted; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
 ///
 /// Threads: exclusive use of `model`.
@@ -265,7 +267,7 @@ pub unsafe extern "C" fn pdn_model_add_revolute(
 /// @param second  id of the second node, or PDN_GROUND; not the same body
 /// @param point  array of length 3: a point of the axis, global coordinates [length]
 /// @param axis  array of length 3: direction of the axis, global coordinates, of any nonzero length
-/// @param joint  the joint's id; written on success only
+/// @param joint  the joint's id; may be NULL if it is not wanted; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
 ///
 /// Threads: exclusive use of `model`.
@@ -297,7 +299,7 @@ pub unsafe extern "C" fn pdn_model_add_prismatic(
 /// @param second  id of the second node, or PDN_GROUND; not the same body
 /// @param point  array of length 3: a point of the axis, global coordinates [length]
 /// @param axis  array of length 3: direction of the axis, global coordinates, of any nonzero length
-/// @param joint  the joint's id; written on success only
+/// @param joint  the joint's id; may be NULL if it is not wanted; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
 ///
 /// Threads: exclusive use of `model`.
@@ -330,7 +332,7 @@ pub unsafe extern "C" fn pdn_model_add_cylindrical(
 /// @param axis  array of length 3: direction of the axis, global coordinates, of any nonzero length
 /// @param pitch  advance for one turn [length]; positive for a right-handed thread, negative for a
 ///     left-handed one, not zero
-/// @param joint  the joint's id; written on success only
+/// @param joint  the joint's id; may be NULL if it is not wanted; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
 ///
 /// Threads: exclusive use of `model`.
@@ -366,7 +368,7 @@ pub unsafe extern "C" fn pdn_model_add_screw(
 /// @param point  array of length 3: a point of the plane, whose displacement is measured, global
 ///     coordinates [length]
 /// @param normal  array of length 3: normal of the plane, global coordinates, of any nonzero length
-/// @param joint  the joint's id; written on success only
+/// @param joint  the joint's id; may be NULL if it is not wanted; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
 ///
 /// Threads: exclusive use of `model`.
@@ -398,7 +400,7 @@ pub unsafe extern "C" fn pdn_model_add_planar(
 /// @param first  id of the first node, or PDN_GROUND
 /// @param second  id of the second node, or PDN_GROUND; not the same body
 /// @param point  array of length 3: whose displacement is measured, global coordinates [length]
-/// @param joint  the joint's id; written on success only
+/// @param joint  the joint's id; may be NULL if it is not wanted; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
 ///
 /// Threads: exclusive use of `model`.
@@ -429,7 +431,7 @@ pub unsafe extern "C" fn pdn_model_add_free_joint(
 /// @param first  id of the first node, or PDN_GROUND
 /// @param second  id of the second node, or PDN_GROUND; not the same body
 /// @param point  array of length 3: centre of the ball, global coordinates [length]
-/// @param joint  the joint's id; written on success only
+/// @param joint  the joint's id; may be NULL if it is not wanted; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
 ///
 /// Threads: exclusive use of `model`.
@@ -464,7 +466,7 @@ pub unsafe extern "C" fn pdn_model_add_spherical(
 /// @param first_arm  array of length 3: direction of the arm fixed to the first body, global
 ///     coordinates, of any nonzero length
 /// @param second_arm  array of length 3: that of the arm fixed to the second body, perpendicular
-/// @param joint  the joint's id; written on success only
+/// @param joint  the joint's id; may be NULL if it is not wanted; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
 ///
 /// Threads: exclusive use of `model`.
@@ -501,7 +503,7 @@ pub unsafe extern "C" fn pdn_model_add_universal(
 /// @param first_point  array of length 3: the point of the first body in the reference
 ///     configuration, global coordinates [length]
 /// @param second_point  array of length 3: that of the second body, not the same
-/// @param joint  the joint's id; written on success only
+/// @param joint  the joint's id; may be NULL if it is not wanted; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
 ///
 /// Threads: exclusive use of `model`.
@@ -556,7 +558,7 @@ pub unsafe extern "C" fn pdn_model_add_strut(
 /// @param first_frame  frame fixed to the first body, where it is in the reference configuration;
 ///     not NULL
 /// @param second_frame  frame fixed to the second body, likewise; not NULL
-/// @param joint  the joint's id; written on success only
+/// @param joint  the joint's id; may be NULL if it is not wanted; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
 ///
 /// Threads: exclusive use of `model`.
@@ -595,7 +597,7 @@ pub unsafe extern "C" fn pdn_model_add_joint(
 /// @param second_frame  frame fixed to the second body, likewise; not NULL
 /// @param pitch  advance for one turn [length]; positive for a right-handed thread, negative for a
 ///     left-handed one, not zero
-/// @param joint  the joint's id; written on success only
+/// @param joint  the joint's id; may be NULL if it is not wanted; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
 ///
 /// Threads: exclusive use of `model`.

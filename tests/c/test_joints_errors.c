@@ -62,7 +62,6 @@ static const double no_pitch[] = {0.0, -0.0};
         REFUSES_NULL(WITH(NULL, in.point, in.axis, &out.id), "model");                             \
         REFUSES_NULL(WITH(in.model, NULL, in.axis, &out.id), "point");                             \
         REFUSES_NULL(WITH(in.model, in.point, NULL, &out.id), axis_name);                          \
-        REFUSES_NULL(WITH(in.model, in.point, in.axis, NULL), "joint");                            \
         REFUSES_NOT_FINITE_ENTRIES(in.point, 3, CALL, "point");                                    \
         REFUSES_NOT_FINITE_ENTRIES(in.axis, 3, CALL, axis_name);                                   \
         REFUSED(WITH(in.model, in.point, zero_, &out.id), PDN_ERR_VALUE,                           \
@@ -112,7 +111,6 @@ static void joints(void)
 #define CALL pdn_model_add_free_joint(in.model, in.node, in.other, in.point, &out.id)
     REFUSES_NULL(pdn_model_add_free_joint(NULL, NODE(0), NODE(1), in.point, &out.id), "model");
     REFUSES_NULL(pdn_model_add_free_joint(in.model, NODE(0), NODE(1), NULL, &out.id), "point");
-    REFUSES_NULL(pdn_model_add_free_joint(in.model, NODE(0), NODE(1), in.point, NULL), "joint");
     REFUSES_NOT_FINITE_ENTRIES(in.point, 3, CALL, "point");
     REFUSES_BAD_BODIES(CALL);
 #undef CALL
@@ -123,7 +121,6 @@ static void joints(void)
                  "first_point");
     REFUSES_NULL(pdn_model_add_strut(in.model, NODE(0), NODE(1), in.point, NULL, &out.id),
                  "second_point");
-    REFUSES_NULL(pdn_model_add_strut(in.model, NODE(0), NODE(1), in.point, in.end, NULL), "joint");
     REFUSES_NOT_FINITE_ENTRIES(in.point, 3, CALL, "first_point");
     REFUSES_NOT_FINITE_ENTRIES(in.end, 3, CALL, "second_point");
     REFUSES_BAD_BODIES(CALL);
@@ -137,7 +134,6 @@ static void joints(void)
     REFUSES_NULL(WITH(NULL, &in.frame, &in.second_frame, &out.id), "model");
     REFUSES_NULL(WITH(in.model, NULL, &in.second_frame, &out.id), "first_frame");
     REFUSES_NULL(WITH(in.model, &in.frame, NULL, &out.id), "second_frame");
-    REFUSES_NULL(WITH(in.model, &in.frame, &in.second_frame, NULL), "joint");
     REFUSES_NOT_FINITE(in.pitch, CALL, "pitch");
     REFUSES_EACH(in.pitch, double, no_pitch, CALL, PDN_ERR_VALUE, "pitch: expected ");
     REFUSES_NOT_FINITE_ENTRIES(in.frame.position, 3, CALL, "first_frame position");

@@ -322,6 +322,9 @@ static void spatial_mechanism(void)
     CHECK_STATUS(pdn_model_set_gravity(model, down), PDN_OK);
 
     CHECK(nodes(model) == 31 && joints(model) == 9 && elements(model) == 13);
+    /* An id that is not wanted. */
+    CHECK_STATUS(pdn_model_add_spherical(model, rocker.first, crank.first, B, NULL), PDN_OK);
+    CHECK(joints(model) == 10);
     pdn_model_free(model);
     pdn_model_free(NULL);
 }

@@ -485,7 +485,6 @@ static void joints(void)
 #define CALL pdn_model_add_rigid_joint(in.model, in.node, in.other, in.point, &out.id)
     REFUSES_NULL(pdn_model_add_rigid_joint(NULL, NODE(0), NODE(1), in.point, &out.id), "model");
     REFUSES_NULL(pdn_model_add_rigid_joint(model, NODE(0), NODE(1), NULL, &out.id), "point");
-    REFUSES_NULL(pdn_model_add_rigid_joint(model, NODE(0), NODE(1), in.point, NULL), "joint");
     REFUSES_NOT_FINITE_ENTRIES(in.point, LENGTH(in.point), CALL, "point");
     REFUSES_BAD_BODIES(CALL);
     REFUSED(pdn_model_add_rigid_joint(model, ground, ground, in.point, &out.id), PDN_ERR_VALUE,
@@ -497,7 +496,6 @@ static void joints(void)
                  "model");
     REFUSES_NULL(pdn_model_add_revolute(model, NODE(0), NODE(1), NULL, in.axis, &out.id), "point");
     REFUSES_NULL(pdn_model_add_revolute(model, NODE(0), NODE(1), in.point, NULL, &out.id), "axis");
-    REFUSES_NULL(pdn_model_add_revolute(model, NODE(0), NODE(1), in.point, in.axis, NULL), "joint");
     REFUSES_NOT_FINITE_ENTRIES(in.point, LENGTH(in.point), CALL, "point");
     REFUSES_NOT_FINITE_ENTRIES(in.axis, LENGTH(in.axis), CALL, "axis");
     REFUSES_BAD_BODIES(CALL);
@@ -508,7 +506,6 @@ static void joints(void)
 #define CALL pdn_model_add_spherical(in.model, in.node, in.other, in.point, &out.id)
     REFUSES_NULL(pdn_model_add_spherical(NULL, NODE(0), NODE(1), in.point, &out.id), "model");
     REFUSES_NULL(pdn_model_add_spherical(model, NODE(0), NODE(1), NULL, &out.id), "point");
-    REFUSES_NULL(pdn_model_add_spherical(model, NODE(0), NODE(1), in.point, NULL), "joint");
     REFUSES_NOT_FINITE_ENTRIES(in.point, LENGTH(in.point), CALL, "point");
     REFUSES_BAD_BODIES(CALL);
 #undef CALL
@@ -521,7 +518,6 @@ static void joints(void)
     REFUSES_NULL(WITH(model, NULL, in.axis, in.arm, &out.id), "point");
     REFUSES_NULL(WITH(model, in.point, NULL, in.arm, &out.id), "first_arm");
     REFUSES_NULL(WITH(model, in.point, in.axis, NULL, &out.id), "second_arm");
-    REFUSES_NULL(WITH(model, in.point, in.axis, in.arm, NULL), "joint");
     REFUSES_NOT_FINITE_ENTRIES(in.point, LENGTH(in.point), CALL, "point");
     REFUSES_NOT_FINITE_ENTRIES(in.axis, LENGTH(in.axis), CALL, "first_arm");
     REFUSES_NOT_FINITE_ENTRIES(in.arm, LENGTH(in.arm), CALL, "second_arm");
@@ -542,7 +538,6 @@ static void joints(void)
     REFUSES_NULL(WITH(NULL, &in.frame, &in.second_frame, &out.id), "model");
     REFUSES_NULL(WITH(model, NULL, &in.second_frame, &out.id), "first_frame");
     REFUSES_NULL(WITH(model, &in.frame, NULL, &out.id), "second_frame");
-    REFUSES_NULL(WITH(model, &in.frame, &in.second_frame, NULL), "joint");
     REFUSES_ENUMS(in.kind, CALL, "kind");
     REFUSES_BAD_FRAMES(in.frame, CALL, "first_frame");
     REFUSES_BAD_FRAMES(in.second_frame, CALL, "second_frame");
