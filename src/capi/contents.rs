@@ -440,7 +440,7 @@ pub unsafe extern "C" fn pdn_model_inertia_count(
 /// @param model  the model; not NULL
 /// @param inertia  id of the inertia
 /// @param node  the node's id; written on success only
-/// @param matrix  array of length 36: 6 x 6 inertia about the node, along its axes, as in
+/// @param matrix  array of shape 6 x 6: inertia about the node, along its axes, as in
 ///     ::pdn_model_add_inertia; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
 ///

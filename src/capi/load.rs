@@ -151,8 +151,8 @@ pub unsafe extern "C" fn pdn_model_set_gravity(
 ///
 /// @param model  the model; not NULL
 /// @param acceleration_1  component along global axis 1 [length / time^2], copied; NULL for none
-/// @param acceleration_2  component along global axis 2, likewise
-/// @param acceleration_3  component along global axis 3, likewise
+/// @param acceleration_2  component along global axis 2, copied; NULL for none
+/// @param acceleration_3  component along global axis 3, copied; NULL for none
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_VALUE,
 ///     PDN_ERR_STRUCT_SIZE
 ///
@@ -267,7 +267,7 @@ pub unsafe extern "C" fn pdn_model_add_distributed_load(
 ///     along the line; read for PDN_FRAME_UNTWISTED only, else it may be NULL
 /// @param fractions  array of length [count]: places, as fractions of the reference length of these
 ///     elements, ascending from 0 to 1; two at the same place make a jump
-/// @param signals  array of length [6 count], each initialised, copied: those of the first place,
+/// @param signals  array of shape 6 x [count], each initialised, copied: those of the first place,
 ///     PDN_FORCE_1 to PDN_FORCE_3 [force / length] and PDN_MOMENT_1 to PDN_MOMENT_3 [force], then
 ///     those of the next. One that was only initialised is zero
 /// @param count  number of places, at least 2

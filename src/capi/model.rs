@@ -321,8 +321,9 @@ pub unsafe extern "C" fn pdn_model_node_frame(
 ///
 /// @param model  the model; not NULL
 /// @param position  array of length 3: its position, global coordinates [length]
-/// @param rotation  array of length 9: its axes, a rotation matrix column by column, the columns
-///     being axes 1, 2, 3 in global coordinates; NULL for axes parallel to the global ones
+/// @param rotation  array of shape 3 x 3: its axes, a rotation matrix column by column, the
+///     columns being axes 1, 2, 3 in global coordinates; NULL for axes parallel to the global
+///     ones
 /// @param node  the node's id; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE
 ///
@@ -356,8 +357,8 @@ pub unsafe extern "C" fn pdn_model_add_node(
 /// @param model  the model; not NULL
 /// @param mass  mass, positive [mass]
 /// @param centre  array of length 3: centre of mass, global coordinates [length]
-/// @param inertia  array of length 9: moments of inertia about the centre of mass, in global axes,
-///     3 x 3, symmetric and positive semi-definite [mass * length^2]
+/// @param inertia  array of shape 3 x 3: moments of inertia about the centre of mass, in global
+///     axes, symmetric and positive semi-definite [mass * length^2]
 /// @param node  the node's id; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE
 ///
@@ -391,7 +392,7 @@ pub unsafe extern "C" fn pdn_model_add_rigid_body(
 /// @param mass  mass, zero or more [mass]
 /// @param centre  array of length 3: its centre, global coordinates; need not be at the node
 ///     [length]
-/// @param inertia  array of length 9: moments of inertia about the centre, in global axes, 3 x 3,
+/// @param inertia  array of shape 3 x 3: moments of inertia about the centre, in global axes,
 ///     symmetric and positive semi-definite [mass * length^2]; NULL for a point mass
 /// @param id  id of the inertia; may be NULL if it is not wanted; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
@@ -431,7 +432,7 @@ pub unsafe extern "C" fn pdn_model_add_mass(
 /// @param model  the model; not NULL
 /// @param node  id of the node
 /// @param frame  the frame that the matrix is about and resolved in; NULL for the node's own
-/// @param matrix  array of length 36: 6 x 6, symmetric and positive semi-definite
+/// @param matrix  array of shape 6 x 6: symmetric and positive semi-definite
 ///     [mass, mass * length,     mass * length^2]
 /// @param id  id of the inertia; may be NULL if it is not wanted; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE

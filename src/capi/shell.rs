@@ -344,7 +344,7 @@ pub unsafe extern "C" fn pdn_model_add_shell_element(
 /// @param degree_v  polynomial degree along v, likewise
 /// @param join  1: nodes on the edges of the surface at the same place as nodes of shells that are
 ///     there, or on another of its own edges, are these, so that shells are joined and closed; 0:
-///     all nodes are new
+///     all nodes are new; usually 1
 /// @param section  the section; not NULL
 /// @param placement  how it lies on the nodes; NULL for the defaults
 /// @param shell  the shell's elements and numbers of nodes; written on success only
@@ -386,14 +386,14 @@ pub unsafe extern "C" fn pdn_model_add_shell(
 /// 1 and 2 evenly.
 ///
 /// @param model  the model; not NULL
-/// @param points  array of length 3 x [count]: positions of the nodes, global coordinates, those
+/// @param points  array of shape 3 x [count]: positions of the nodes, global coordinates, those
 ///     along v first [length]
 /// @param count  number of nodes: (elements_u degree_u + 1) (elements_v degree_v + 1)
 /// @param elements_u  number of elements along u, 1 to 100000
 /// @param elements_v  number of elements along v, likewise
 /// @param degree_u  polynomial degree along u, 1 to 15
 /// @param degree_v  polynomial degree along v, likewise
-/// @param join  0 or 1, as ::pdn_model_add_shell has it
+/// @param join  0 or 1, as ::pdn_model_add_shell has it; usually 1
 /// @param section  the section; not NULL
 /// @param placement  how it lies on the nodes; NULL for the defaults
 /// @param shell  the shell's elements and numbers of nodes; written on success only
@@ -445,7 +445,7 @@ pub unsafe extern "C" fn pdn_model_add_shell_grid(
 /// nodes.
 ///
 /// @param model  the model; not NULL
-/// @param points  array of length 3 x [point_count]: positions, global coordinates [length]
+/// @param points  array of shape 3 x [point_count]: positions, global coordinates [length]
 /// @param point_count  number of points
 /// @param cells  array of length [count]: numbers of the points of each cell from 0 on, one cell
 ///     after the other

@@ -102,8 +102,9 @@ pub struct pdn_force_values {
     /// Array of shape 6 x [node_count]: force on each node and moment about it
     /// [force, force * length].
     pub forces: *mut f64,
-    /// Array of shape 6 [node_count] x 6 [node_count], column by column: derivatives of forces by
-    /// displacements and turns. NULL if tangents are not wanted, or were said not to be given.
+    /// Array of shape 6 x [node_count] x 6 x [node_count], column by column: derivatives of
+    /// forces by displacements and turns. NULL if tangents are not wanted, or were said not to be
+    /// given.
     pub by_motion: *mut f64,
     /// The same by velocities and angular velocities; NULL where by_motion is.
     pub by_velocity: *mut f64,
