@@ -103,10 +103,9 @@ class Procedure(Binding):
             place = next(i for i, e in enumerate(q["extents"], 1) if count in e.split("*"))
             self.prepared += given(q, f"{count} = size({q['name']}, {place}, c_size_t)")
 
-    def dummy(self, p, declared, shape="", optional=None):
-        optional = p["optional"] if optional is None else optional
-        late = optional or p["name"] == "options"
-        self.dummies.append((late, declared + ", optional" * optional, p["name"] + shape))
+    def dummy(self, p, declared, shape=""):
+        late = p["optional"] or p["name"] == "options"
+        self.dummies.append((late, declared + ", optional" * p["optional"], p["name"] + shape))
 
     # Inputs.
 
@@ -243,7 +242,7 @@ class Procedure(Binding):
 
     def new_handle(self, p):
         name = p["base"].removeprefix("pdn_") if p["name"] == "out" else p["name"]
-        self.dummy({**p, "name": name}, f"type({p['base']}), intent(inout)", optional=False)
+        self.dummy({**p, "name": name, "optional": False}, f"type({p['base']}), intent(inout)")
         self.adopt(name, p["base"])
 
     def adopt(self, name, base):
