@@ -6,7 +6,7 @@ use super::handle::Handle;
 use super::id::Kind;
 use super::joint::coordinate;
 use super::model::pdn_model;
-use super::parameter::{PDN_FREQUENCY, any_parameter, parameter};
+use super::parameter::{PDN_FREQUENCY, any_parameter};
 use super::periodic::{pdn_periodic_options, read_options};
 use super::quantity::{pdn_quantity, selection};
 use super::solution::pdn_solution;
@@ -53,7 +53,7 @@ impl Conditions {
 pub(super) fn free_parameter(model: &Model, id: i32) -> Result<Free> {
     Ok(match id {
         PDN_FREQUENCY => Free::Frequency,
-        id => Free::Parameter(parameter(model, id, "parameter")?),
+        id => Free::Parameter(Kind::Parameter.index_in(model, id, "parameter")?),
     })
 }
 

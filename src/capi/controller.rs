@@ -6,7 +6,7 @@ use super::callback::Callback;
 use super::guard::guard;
 use super::id::Kind;
 use super::joint::{coordinate, coordinate_code};
-use super::model::{add_object, force, joint, number, pdn_model};
+use super::model::{add_object, number, pdn_model};
 use super::status::pdn_status;
 use super::user_force::{gives_tangents, pdn_destroy_fn};
 use crate::elements::{ControllerInput, ControllerLaw, ControllerOutput, ControllerState};
@@ -111,7 +111,7 @@ fn coordinates(
     pairs
         .map(|(i, (&id, &which))| {
             Ok(JointCoordinate {
-                joint: joint(model, id, &format!("{joint_list}[{i}]"))?,
+                joint: Kind::Joint.index_in(model, id, &format!("{joint_list}[{i}]"))?,
                 coordinate: coordinate(which, &format!("{coordinate_list}[{i}]"))?,
             })
         })
@@ -294,7 +294,7 @@ pub unsafe extern "C" fn pdn_model_controller_counts(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let force = self::force(&model, force, "force")?;
+        let force = Kind::Force.index_in(&model, force, "force")?;
         let controller = model.require_controller(force)?;
         let lists = [
             (input_count, controller.inputs.len(), "input_count"),
@@ -332,7 +332,7 @@ pub unsafe extern "C" fn pdn_model_controller_coordinate(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let force = self::force(&model, force, "force")?;
+        let force = Kind::Force.index_in(&model, force, "force")?;
         let controller = model.require_controller(force)?;
         let all: Vec<_> = controller
             .inputs
@@ -371,7 +371,7 @@ pub unsafe extern "C" fn pdn_model_controller_state(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let force = self::force(&model, force, "force")?;
+        let force = Kind::Force.index_in(&model, force, "force")?;
         let states = &model.require_controller(force)?.states;
         let state = states[number(index, states.len(), "index", "a state of the controller")?];
         let out = [

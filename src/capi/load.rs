@@ -3,7 +3,7 @@
 use super::call::Call;
 use super::guard::guard;
 use super::id::Kind;
-use super::model::{self, add_object, choose, pdn_model};
+use super::model::{add_object, choose, pdn_model};
 use super::signal::{self, pdn_signal};
 use super::status::pdn_status;
 use crate::elements::{BeamLoadFrame, LoadFrame};
@@ -110,7 +110,7 @@ pub unsafe extern "C" fn pdn_model_add_load(
     load: *mut i32,
 ) -> pdn_status {
     let read = |call: &Call, model: &Model| {
-        let node = model::node(model, node, "node")?;
+        let node = Kind::Node.index_in(model, node, "node")?;
         let frame = load_frame(frame)?;
         Ok((node, frame, components(call, component, signal)?))
     };
@@ -224,7 +224,7 @@ pub unsafe extern "C" fn pdn_model_add_distributed_load(
     load: *mut i32,
 ) -> pdn_status {
     let read = |call: &Call, model: &Model| {
-        let first_element = model::beam_element(model, first_element, "first_element")?;
+        let first_element = Kind::BeamElement.index_in(model, first_element, "first_element")?;
         let elements = usize::try_from(elements)
             .map_err(|_| Error::size("elements", "at least 1", elements))?;
         let frame = load_frame(frame)?;
@@ -293,7 +293,7 @@ pub unsafe extern "C" fn pdn_model_add_load_at_places(
     guard(|call| {
         const MOST: usize = 100_000;
         let mut model = call.exclusive(model, "model")?;
-        let first_element = model::beam_element(&model, first_element, "first_element")?;
+        let first_element = Kind::BeamElement.index_in(&model, first_element, "first_element")?;
         let elements = usize::try_from(elements)
             .map_err(|_| Error::size("elements", "at least 1", elements))?;
         let frame = beam_load_frame(call, frame, axis_2)?;

@@ -47,11 +47,6 @@ pub struct pdn_frame {
 
 const _: () = assert!(size_of::<pdn_frame>() == 96);
 
-/// The node that an id names.
-pub(super) fn node(model: &Model, id: i32, name: &str) -> Result<usize> {
-    Kind::Node.index_in(model, id, name)
-}
-
 /// The nodes that an array of ids names, which may be of length 0.
 pub(super) fn nodes(
     call: &Call,
@@ -60,7 +55,7 @@ pub(super) fn nodes(
     name: &str,
 ) -> Result<Vec<usize>> {
     let ids = call.slice(ids, count, name)?.iter().enumerate();
-    ids.map(|(i, &id)| node(model, id, &format!("{name}[{i}]")))
+    ids.map(|(i, &id)| Kind::Node.index_in(model, id, &format!("{name}[{i}]")))
         .collect()
 }
 
@@ -71,26 +66,6 @@ pub(super) fn body(model: &Model, id: i32, name: &str) -> Result<Option<usize>> 
     }
     let node = Kind::Node.index_or("PDN_GROUND or ", id, model.node_count(), name);
     node.map(Some)
-}
-
-/// The joint that an id names.
-pub(super) fn joint(model: &Model, id: i32, name: &str) -> Result<usize> {
-    Kind::Joint.index_in(model, id, name)
-}
-
-/// The force that an id names.
-pub(super) fn force(model: &Model, id: i32, name: &str) -> Result<usize> {
-    Kind::Force.index_in(model, id, name)
-}
-
-/// The beam element that an id names.
-pub(super) fn beam_element(model: &Model, id: i32, name: &str) -> Result<usize> {
-    Kind::BeamElement.index_in(model, id, name)
-}
-
-/// The shell element that an id names.
-pub(super) fn shell_element(model: &Model, id: i32, name: &str) -> Result<usize> {
-    Kind::ShellElement.index_in(model, id, name)
 }
 
 /// Body of a function that adds a thing of a kind, which `add` makes of what it reads, and gives
@@ -306,7 +281,7 @@ pub unsafe extern "C" fn pdn_model_node_frame(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let node = self::node(&model, node, "node")?;
+        let node = Kind::Node.index_in(&model, node, "node")?;
         let frame = call.out(frame, "frame")?;
         if let Some(motion) = model.node(node) {
             frame.set(motion.into());
@@ -409,7 +384,7 @@ pub unsafe extern "C" fn pdn_model_add_mass(
     id: *mut i32,
 ) -> pdn_status {
     let read = |call: &Call, model: &Model| {
-        let node = self::node(model, node, "node")?;
+        let node = Kind::Node.index_in(model, node, "node")?;
         let mass = call.number(mass, "mass")?;
         let centre = vector(call, centre, "centre")?;
         let inertia = call
@@ -448,7 +423,7 @@ pub unsafe extern "C" fn pdn_model_add_inertia(
     id: *mut i32,
 ) -> pdn_status {
     let read = |call: &Call, model: &Model| {
-        let node = self::node(model, node, "node")?;
+        let node = Kind::Node.index_in(model, node, "node")?;
         let frame = if frame.is_null() {
             None
         } else {

@@ -4,7 +4,7 @@ use super::call::Call;
 use super::guard::{guard, init};
 use super::id::Kind;
 use super::load::{components, load_frame};
-use super::model::{self, add_object, choose, number, pdn_model, shell_element};
+use super::model::{self, add_object, choose, number, pdn_model};
 use super::options::Options;
 use super::pointer::check_pointer;
 use super::section::{read_struct, update_struct};
@@ -601,7 +601,7 @@ pub(super) fn patch_node(model: &Model, shell: &pdn_shell, [u, v]: [i32; 2]) -> 
     ];
     let last = [shell.elements_u, shell.elements_v].map(|n| n as usize - 1);
     let [i, j] = [0, 1].map(|d| ([u, v][d] / degrees[d].max(1)).min(last[d]));
-    let first = shell_element(model, shell.first_element, "first_element");
+    let first = Kind::ShellElement.index_in(model, shell.first_element, "first_element");
     let first = first.map_err(|e| e.within("shell"))?;
     let element = first.saturating_add(i.saturating_mul(last[1] + 1).saturating_add(j));
     let [xi, eta] = [
@@ -666,7 +666,7 @@ pub unsafe extern "C" fn pdn_model_shell_node(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let element = shell_element(&model, element, "element")?;
+        let element = Kind::ShellElement.index_in(&model, element, "element")?;
         let shell = &model.shells[element];
         let along = place(xi, shell.sides[0] as i32, "xi")?;
         let across = place(eta, shell.sides[1] as i32, "eta")?;
@@ -729,7 +729,7 @@ pub unsafe extern "C" fn pdn_model_add_shell_load(
     load: *mut i32,
 ) -> pdn_status {
     let read = |call: &Call, model: &Model| {
-        let first_element = shell_element(model, first_element, "first_element")?;
+        let first_element = Kind::ShellElement.index_in(model, first_element, "first_element")?;
         let elements = usize::try_from(elements)
             .map_err(|_| Error::size("elements", "at least 1", elements))?;
         let place = load_place(place)?;
@@ -770,7 +770,7 @@ pub unsafe extern "C" fn pdn_model_set_shell_prestress(
 ) -> pdn_status {
     guard(|call| {
         let mut model = call.exclusive(model, "model")?;
-        let first = shell_element(&model, first_element, "first_element")?;
+        let first = Kind::ShellElement.index_in(&model, first_element, "first_element")?;
         let most = model.shell_element_count() - first;
         let count = usize::try_from(elements).unwrap_or(0);
         if !(1..=most).contains(&count) {

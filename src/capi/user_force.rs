@@ -427,7 +427,7 @@ pub unsafe extern "C" fn pdn_model_check_tangents(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let force = super::model::force(&model, force, "force")?;
+        let force = Kind::Force.index_in(&model, force, "force")?;
         let period = call.number(period, "period")?;
         let out = call.out_struct(check, "check")?;
         let TangentCheck {
