@@ -1393,14 +1393,14 @@ module periodyn_c
 
         ! Adds a beam along a line as ::pdn_model_add_beam does, with elements between given
         ! places
-        function pdn_model_add_beam_between(model, line, stations, boundaries, elements, degree, &
+        function pdn_model_add_beam_between(model, line, stations, boundaries, count, degree, &
             beam) bind(C, name="pdn_model_add_beam_between")
             import
             type(c_ptr), value :: model
             type(pdn_line), intent(in) :: line
             type(pdn_stations), intent(in) :: stations
             real(c_double), intent(in) :: boundaries(*)
-            integer(c_size_t), value :: elements
+            integer(c_size_t), value :: count
             integer(c_size_t), value :: degree
             type(pdn_beam), intent(inout) :: beam
             integer(c_int32_t) :: pdn_model_add_beam_between
@@ -3563,15 +3563,23 @@ module periodyn_c
             integer(c_int32_t) :: pdn_stability_get
         end function pdn_stability_get
 
-        ! Times of the shapes of modes: ends of equal steps over the period, the last is the
-        ! period
-        function pdn_stability_times(stability, times, count, &
-            steps) bind(C, name="pdn_stability_times")
+        ! Number of times of the shapes of modes
+        function pdn_stability_time_count(stability, &
+            out) bind(C, name="pdn_stability_time_count")
             import
             type(c_ptr), value :: stability
-            real(c_double), intent(inout), optional :: times(*)
+            integer(c_size_t), intent(inout) :: out
+            integer(c_int32_t) :: pdn_stability_time_count
+        end function pdn_stability_time_count
+
+        ! Times of the shapes of modes: ends of equal steps over the period, the last is the
+        ! period
+        function pdn_stability_times(stability, times, &
+            count) bind(C, name="pdn_stability_times")
+            import
+            type(c_ptr), value :: stability
+            real(c_double), intent(inout) :: times(*)
             integer(c_size_t), value :: count
-            integer(c_size_t), intent(inout), optional :: steps
             integer(c_int32_t) :: pdn_stability_times
         end function pdn_stability_times
 
@@ -3771,7 +3779,7 @@ module periodyn
     use, intrinsic :: iso_fortran_env, only: error_unit
     implicit none
     public
-    private :: report, refuse, fits, nodes_of, raw_of, text_at, error_unit
+    private :: report, fits, nodes_of, raw_of, text_at, error_unit
 
     ! In every procedure: without stat, a failure ends the program with the message. With it, stat
     ! is 0 or the negative status (PDN_ERR_VALUE, ...), and errmsg, blank-padded, tells which
@@ -4042,6 +4050,7 @@ module periodyn
         procedure, public :: verdict => stability_verdict
         procedure, public :: count => stability_count
         procedure, public :: get => stability_get
+        procedure, public :: time_count => stability_time_count
         procedure, public :: times => stability_times
         procedure, public :: shape => stability_shape
         procedure, public :: report => stability_report
@@ -4169,38 +4178,27 @@ module periodyn
         solution_multiplier_sensitivities, solution_march, solution_floquet_count, &
         solution_floquet, solution_solve_stability, solution_write_vtk, solution_save, &
         solution_load, solution_model, stability_outcome, stability_converged, &
-        stability_verdict, stability_count, stability_get, stability_times, stability_shape, &
-        stability_report, table_add_quantity, table_new, table_add_values, table_write_csv
+        stability_verdict, stability_count, stability_get, stability_time_count, &
+        stability_times, stability_shape, stability_report, table_add_quantity, table_new, &
+        table_add_values, table_write_csv
 
 contains
 
     ! Failure ----------------------------------------------------------------------------------
 
-    ! Hands a status on to the caller.
+    ! Hands a status on to the caller, with the library's message if it is a failure.
     subroutine report(status, stat, errmsg)
         integer(c_int32_t), intent(in) :: status
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
 
         if (present(stat)) stat = status
-        if (status /= PDN_OK) call refuse(status, pdn_last_error(), stat, errmsg)
+        if (status == PDN_OK) return
+        if (present(errmsg)) errmsg = pdn_last_error()
+        if (present(stat)) return
+        write (error_unit, '(4a)') 'periodyn: ', pdn_status_name(status), ': ', pdn_last_error()
+        error stop 1
     end subroutine report
-
-    ! Hands a failure on to the caller.
-    subroutine refuse(status, message, stat, errmsg)
-        integer(c_int32_t), intent(in) :: status
-        character(*), intent(in) :: message
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (present(errmsg)) errmsg = message
-        if (present(stat)) then
-            stat = status
-        else
-            write (error_unit, '(4a)') 'periodyn: ', pdn_status_name(status), ': ', message
-            error stop 1
-        end if
-    end subroutine refuse
 
     ! Whether an array has the shape that it must have; otherwise refuses it. What is negative is
     ! not known, for a reason that the call tells.
@@ -4215,7 +4213,8 @@ contains
         if (fits) return
         write (message, '(2a, *(i0, :, " x "))') name, ': expected the shape ', expected
         write (message(len_trim(message) + 1:), '(a, *(i0, :, " x "))') ', got ', found
-        call refuse(PDN_ERR_SIZE, trim(message), stat, errmsg)
+        call set_last_error(message)
+        call report(PDN_ERR_SIZE, stat, errmsg)
     end function fits
 
     ! Number of nodes of a model; negative if there is no model.
@@ -4287,7 +4286,6 @@ contains
         end if
         self%c = c_null_ptr
         self%owners => null()
-        self%release_with => null()
     end subroutine handle_free
 
     subroutine handle_finalise(self)
@@ -4313,8 +4311,7 @@ contains
         call self%free()
         self%c = c
         self%release_with => release_with
-        allocate (self%owners)
-        self%owners = 1
+        allocate (self%owners, source=1)
     end subroutine adopt
 
     subroutine share(left, right)
@@ -4322,7 +4319,8 @@ contains
         class(pdn_handle), intent(in) :: right
 
         if (.not. same_type_as(left, right)) then
-            call refuse(PDN_ERR_VALUE, 'assignment: expected objects of the same type')
+            call set_last_error('assignment: expected objects of the same type')
+            call report(PDN_ERR_VALUE)
         end if
         if (associated(right%owners)) right%owners = right%owners + 1
         call left%free()
@@ -4333,156 +4331,182 @@ contains
 
     ! The functions of periodyn.h --------------------------------------------------------------
 
+    ! Makes a section with no stiffness, mass or damping.
     subroutine init_section(section)
         type(pdn_section), intent(out) :: section
 
         call pdn_section_init(section, c_sizeof(section))
     end subroutine init_section
 
+    ! Makes a line that is still to be set.
     subroutine init_line(line)
         type(pdn_line), intent(out) :: line
 
         call pdn_line_init(line, c_sizeof(line))
     end subroutine init_line
 
+    ! Makes stations that are still to be set.
     subroutine init_stations(stations)
         type(pdn_stations), intent(out) :: stations
 
         call pdn_stations_init(stations, c_sizeof(stations))
     end subroutine init_stations
 
+    ! Makes a surface that is still to be set.
     subroutine init_surface(surface)
         type(pdn_surface), intent(out) :: surface
 
         call pdn_surface_init(surface, c_sizeof(surface))
     end subroutine init_surface
 
+    ! Makes a section with no stiffness, mass or damping.
     subroutine init_shell_section(shell_section)
         type(pdn_shell_section), intent(out) :: shell_section
 
         call pdn_shell_section_init(shell_section, c_sizeof(shell_section))
     end subroutine init_shell_section
 
+    ! Sets the defaults.
     subroutine init_shell_placement(shell_placement)
         type(pdn_shell_placement), intent(out) :: shell_placement
 
         call pdn_shell_placement_init(shell_placement, c_sizeof(shell_placement))
     end subroutine init_shell_placement
 
+    ! Prepares a struct for check_tangents; use PDN_INIT(pdn_tangent_check, &check).
     subroutine init_tangent_check(tangent_check)
         type(pdn_tangent_check), intent(out) :: tangent_check
 
         call pdn_tangent_check_init(tangent_check, c_sizeof(tangent_check))
     end subroutine init_tangent_check
 
+    ! Prepares a struct for diagnostics; use PDN_INIT(pdn_diagnostics, &diagnostics).
     subroutine init_diagnostics(diagnostics)
         type(pdn_diagnostics), intent(out) :: diagnostics
 
         call pdn_diagnostics_init(diagnostics, c_sizeof(diagnostics))
     end subroutine init_diagnostics
 
+    ! Prepares a struct that tells a quantity; use PDN_INIT(pdn_quantity, &quantity).
     subroutine init_quantity(quantity)
         type(pdn_quantity), intent(out) :: quantity
 
         call pdn_quantity_init(quantity, c_sizeof(quantity))
     end subroutine init_quantity
 
+    ! Sets default options; use PDN_INIT(pdn_periodic_options, &options).
     subroutine init_periodic_options(periodic_options)
         type(pdn_periodic_options), intent(out) :: periodic_options
 
         call pdn_periodic_options_init(periodic_options, c_sizeof(periodic_options))
     end subroutine init_periodic_options
 
+    ! Sets default options; use PDN_INIT(pdn_equations_options, &options).
     subroutine init_equations_options(equations_options)
         type(pdn_equations_options), intent(out) :: equations_options
 
         call pdn_equations_options_init(equations_options, c_sizeof(equations_options))
     end subroutine init_equations_options
 
+    ! Sets struct_size; use PDN_INIT(pdn_equations_sizes, &sizes).
     subroutine init_equations_sizes(equations_sizes)
         type(pdn_equations_sizes), intent(out) :: equations_sizes
 
         call pdn_equations_sizes_init(equations_sizes, c_sizeof(equations_sizes))
     end subroutine init_equations_sizes
 
+    ! Prepares a struct for joint; use PDN_INIT(pdn_joint_info, &info).
     subroutine init_joint_info(joint_info)
         type(pdn_joint_info), intent(out) :: joint_info
 
         call pdn_joint_info_init(joint_info, c_sizeof(joint_info))
     end subroutine init_joint_info
 
+    ! Prepares a struct for force; use PDN_INIT(pdn_force_info, &info).
     subroutine init_force_info(force_info)
         type(pdn_force_info), intent(out) :: force_info
 
         call pdn_force_info_init(force_info, c_sizeof(force_info))
     end subroutine init_force_info
 
+    ! Sets default options; use PDN_INIT(pdn_sensitivity_options, &options).
     subroutine init_sensitivity_options(sensitivity_options)
         type(pdn_sensitivity_options), intent(out) :: sensitivity_options
 
         call pdn_sensitivity_options_init(sensitivity_options, c_sizeof(sensitivity_options))
     end subroutine init_sensitivity_options
 
+    ! Sets a point to that of nothing; use PDN_INIT(pdn_branch_point, &point).
     subroutine init_branch_point(branch_point)
         type(pdn_branch_point), intent(out) :: branch_point
 
         call pdn_branch_point_init(branch_point, c_sizeof(branch_point))
     end subroutine init_branch_point
 
+    ! Sets default options; use PDN_INIT(pdn_branch_options, &options).
     subroutine init_branch_options(branch_options)
         type(pdn_branch_options), intent(out) :: branch_options
 
         call pdn_branch_options_init(branch_options, c_sizeof(branch_options))
     end subroutine init_branch_options
 
+    ! Sets default options; use PDN_INIT(pdn_stability_options, &options).
     subroutine init_stability_options(stability_options)
         type(pdn_stability_options), intent(out) :: stability_options
 
         call pdn_stability_options_init(stability_options, c_sizeof(stability_options))
     end subroutine init_stability_options
 
+    ! Sets default options; use PDN_INIT(pdn_static_options, &options).
     subroutine init_static_options(static_options)
         type(pdn_static_options), intent(out) :: static_options
 
         call pdn_static_options_init(static_options, c_sizeof(static_options))
     end subroutine init_static_options
 
+    ! Sets default options; use PDN_INIT(pdn_modes_options, &options).
     subroutine init_modes_options(modes_options)
         type(pdn_modes_options), intent(out) :: modes_options
 
         call pdn_modes_options_init(modes_options, c_sizeof(modes_options))
     end subroutine init_modes_options
 
+    ! Prepares a struct for get; use PDN_INIT(pdn_mode, &mode).
     subroutine init_mode(mode)
         type(pdn_mode), intent(out) :: mode
 
         call pdn_mode_init(mode, c_sizeof(mode))
     end subroutine init_mode
 
+    ! Sets default options; use PDN_INIT(pdn_march_options, &options).
     subroutine init_march_options(march_options)
         type(pdn_march_options), intent(out) :: march_options
 
         call pdn_march_options_init(march_options, c_sizeof(march_options))
     end subroutine init_march_options
 
+    ! Prepares a struct for march; use PDN_INIT(pdn_march_diagnostics, &diagnostics).
     subroutine init_march_diagnostics(march_diagnostics)
         type(pdn_march_diagnostics), intent(out) :: march_diagnostics
 
         call pdn_march_diagnostics_init(march_diagnostics, c_sizeof(march_diagnostics))
     end subroutine init_march_diagnostics
 
+    ! Sets default options; use PDN_INIT(pdn_shooting_options, &options).
     subroutine init_shooting_options(shooting_options)
         type(pdn_shooting_options), intent(out) :: shooting_options
 
         call pdn_shooting_options_init(shooting_options, c_sizeof(shooting_options))
     end subroutine init_shooting_options
 
+    ! Prepares a struct for get; use PDN_INIT(pdn_multiplier, &multiplier).
     subroutine init_multiplier(multiplier)
         type(pdn_multiplier), intent(out) :: multiplier
 
         call pdn_multiplier_init(multiplier, c_sizeof(multiplier))
     end subroutine init_multiplier
 
+    ! Prepares a struct for summary; use PDN_INIT(pdn_summary, &summary).
     subroutine init_summary(summary)
         type(pdn_summary), intent(out) :: summary
 
@@ -5031,9 +5055,10 @@ contains
         integer(c_int32_t), intent(inout) :: out
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_out, status
 
-        status = pdn_branch_count(self%c, out)
+        status = pdn_branch_count(self%c, found_out)
+        if (status == PDN_OK) out = found_out
         call report(status, stat, errmsg)
     end subroutine branch_count
 
@@ -5495,10 +5520,15 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         integer(c_size_t) :: count
+        real(c_double) :: found_motion, found_own_unknown
         integer(c_int32_t) :: status
 
         count = size(increment, 1, c_size_t)
-        status = pdn_equations_norms(self%c, increment, count, motion, own_unknown)
+        status = pdn_equations_norms(self%c, increment, count, found_motion, found_own_unknown)
+        if (status == PDN_OK) then
+            motion = found_motion
+            own_unknown = found_own_unknown
+        end if
         call report(status, stat, errmsg)
     end subroutine equations_norms
 
@@ -5542,9 +5572,10 @@ contains
         integer(c_int32_t), intent(inout) :: count
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_count, status
 
-        status = pdn_model_node_count(self%c, count)
+        status = pdn_model_node_count(self%c, found_count)
+        if (status == PDN_OK) count = found_count
         call report(status, stat, errmsg)
     end subroutine model_node_count
 
@@ -5554,9 +5585,10 @@ contains
         integer(c_int32_t), intent(inout) :: count
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_count, status
 
-        status = pdn_model_joint_count(self%c, count)
+        status = pdn_model_joint_count(self%c, found_count)
+        if (status == PDN_OK) count = found_count
         call report(status, stat, errmsg)
     end subroutine model_joint_count
 
@@ -5566,9 +5598,10 @@ contains
         integer(c_int32_t), intent(inout) :: count
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_count, status
 
-        status = pdn_model_element_count(self%c, count)
+        status = pdn_model_element_count(self%c, found_count)
+        if (status == PDN_OK) count = found_count
         call report(status, stat, errmsg)
     end subroutine model_element_count
 
@@ -5579,9 +5612,11 @@ contains
         real(c_double), intent(inout), optional :: centre(3)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        real(c_double) :: found_mass
         integer(c_int32_t) :: status
 
-        status = pdn_model_mass(self%c, mass, centre)
+        status = pdn_model_mass(self%c, found_mass, centre)
+        if (status == PDN_OK) mass = found_mass
         call report(status, stat, errmsg)
     end subroutine model_mass
 
@@ -5592,9 +5627,11 @@ contains
         type(pdn_frame), intent(inout) :: frame
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        type(pdn_frame) :: found_frame
         integer(c_int32_t) :: status
 
-        status = pdn_model_node_frame(self%c, node, frame)
+        status = pdn_model_node_frame(self%c, node, found_frame)
+        if (status == PDN_OK) frame = found_frame
         call report(status, stat, errmsg)
     end subroutine model_node_frame
 
@@ -5640,9 +5677,12 @@ contains
         integer(c_int32_t), intent(inout), optional :: id
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_id, status
 
-        status = pdn_model_add_mass(self%c, node, mass, centre, inertia, id)
+        status = pdn_model_add_mass(self%c, node, mass, centre, inertia, found_id)
+        if (status == PDN_OK) then
+            if (present(id)) id = found_id
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_mass
 
@@ -5655,9 +5695,12 @@ contains
         integer(c_int32_t), intent(inout), optional :: id
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_id, status
 
-        status = pdn_model_add_inertia(self%c, node, frame, matrix, id)
+        status = pdn_model_add_inertia(self%c, node, frame, matrix, found_id)
+        if (status == PDN_OK) then
+            if (present(id)) id = found_id
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_inertia
 
@@ -5669,9 +5712,13 @@ contains
         integer(c_int32_t), intent(inout), optional :: prescribed
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_prescribed, status
 
-        status = pdn_model_prescribe(self%c, joint, coordinate, raw_of(signal), prescribed)
+        status = pdn_model_prescribe(self%c, joint, coordinate, raw_of(signal), &
+            found_prescribed)
+        if (status == PDN_OK) then
+            if (present(prescribed)) prescribed = found_prescribed
+        end if
         call report(status, stat, errmsg)
     end subroutine model_prescribe
 
@@ -5858,9 +5905,10 @@ contains
         integer(c_int32_t), intent(inout) :: count
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_count, status
 
-        status = pdn_model_relation_count(self%c, count)
+        status = pdn_model_relation_count(self%c, found_count)
+        if (status == PDN_OK) count = found_count
         call report(status, stat, errmsg)
     end subroutine model_relation_count
 
@@ -5876,14 +5924,17 @@ contains
         character(*), intent(inout), optional :: errmsg
         integer(c_size_t) :: count
         type(c_signal), allocatable :: raw_signal
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_relation, status
 
         count = size(joints, 1, c_size_t)
         if (.not. fits('coordinates', shape(coordinates), [int(count)], stat, errmsg)) return
         if (.not. fits('coefficients', shape(coefficients), [int(count)], stat, errmsg)) return
         if (present(signal)) raw_signal = raw_of(signal)
         status = pdn_model_add_relation(self%c, joints, coordinates, coefficients, count, &
-            raw_signal, relation)
+            raw_signal, found_relation)
+        if (status == PDN_OK) then
+            if (present(relation)) relation = found_relation
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_relation
 
@@ -5916,10 +5967,12 @@ contains
         type(pdn_beam), intent(inout) :: beam
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        type(pdn_beam) :: found_beam
         integer(c_int32_t) :: status
 
         status = pdn_model_add_straight_beam(self%c, start, end, axis_2, section, &
-            int(max(elements, 0), c_size_t), int(max(degree, 0), c_size_t), beam)
+            int(max(elements, 0), c_size_t), int(max(degree, 0), c_size_t), found_beam)
+        if (status == PDN_OK) beam = found_beam
         call report(status, stat, errmsg)
     end subroutine model_add_straight_beam
 
@@ -5935,6 +5988,7 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         type(pdn_stations) :: chosen
+        type(pdn_beam) :: found_beam
         integer(c_int32_t) :: status
 
         call pdn_init(chosen)
@@ -5950,7 +6004,8 @@ contains
             chosen%twists = c_loc(twists)
         end if
         status = pdn_model_add_beam(self%c, line, chosen, int(max(elements, 0), c_size_t), &
-            int(max(degree, 0), c_size_t), beam)
+            int(max(degree, 0), c_size_t), found_beam)
+        if (status == PDN_OK) beam = found_beam
         call report(status, stat, errmsg)
     end subroutine model_add_beam
 
@@ -5966,11 +6021,12 @@ contains
         real(c_double), intent(in), target, contiguous, optional :: fractions(:), twists(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_size_t) :: elements
+        integer(c_size_t) :: count
         type(pdn_stations) :: chosen
+        type(pdn_beam) :: found_beam
         integer(c_int32_t) :: status
 
-        elements = max(size(boundaries, 1, c_size_t) - 1, 0_c_size_t)
+        count = size(boundaries, 1, c_size_t)
         call pdn_init(chosen)
         chosen%count = size(sections, kind=c_size_t)
         chosen%sections = c_loc(sections)
@@ -5983,8 +6039,9 @@ contains
             if (.not. fits('twists', shape(twists), [int(chosen%count)], stat, errmsg)) return
             chosen%twists = c_loc(twists)
         end if
-        status = pdn_model_add_beam_between(self%c, line, chosen, boundaries, elements, &
-            int(max(degree, 0), c_size_t), beam)
+        status = pdn_model_add_beam_between(self%c, line, chosen, boundaries, count, &
+            int(max(degree, 0), c_size_t), found_beam)
+        if (status == PDN_OK) beam = found_beam
         call report(status, stat, errmsg)
     end subroutine model_add_beam_between
 
@@ -5996,9 +6053,12 @@ contains
         integer(c_int32_t), intent(inout), optional :: load
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_load, status
 
-        status = pdn_model_add_load(self%c, node, frame, component, raw_of(signal), load)
+        status = pdn_model_add_load(self%c, node, frame, component, raw_of(signal), found_load)
+        if (status == PDN_OK) then
+            if (present(load)) load = found_load
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_load
 
@@ -6046,7 +6106,7 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         integer(c_size_t) :: count
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_load, status
 
         count = 0
         if (present(factors)) count = size(factors, 1, c_size_t)
@@ -6055,7 +6115,10 @@ contains
             if (.not. fits('factors', shape(factors), [int(count)], stat, errmsg)) return
         end if
         status = pdn_model_add_distributed_load(self%c, first_element, elements, frame, &
-            component, raw_of(signal), fractions, factors, count, load)
+            component, raw_of(signal), fractions, factors, count, found_load)
+        if (status == PDN_OK) then
+            if (present(load)) load = found_load
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_distributed_load
 
@@ -6073,12 +6136,15 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         integer(c_size_t) :: count
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_first_load, status
 
         count = size(fractions, 1, c_size_t)
         if (.not. fits('signals', shape(signals), [6, int(count)], stat, errmsg)) return
         status = pdn_model_add_load_at_places(self%c, first_element, elements, frame, axis_2, &
-            fractions, raw_of(signals), count, first_load)
+            fractions, raw_of(signals), count, found_first_load)
+        if (status == PDN_OK) then
+            if (present(first_load)) first_load = found_first_load
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_load_at_places
 
@@ -6103,9 +6169,11 @@ contains
         real(c_double), intent(inout) :: axis(3), rate, point(3)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        real(c_double) :: found_rate
         integer(c_int32_t) :: status
 
-        status = pdn_model_turning_frame(self%c, axis, rate, point)
+        status = pdn_model_turning_frame(self%c, axis, found_rate, point)
+        if (status == PDN_OK) rate = found_rate
         call report(status, stat, errmsg)
     end subroutine model_turning_frame
 
@@ -6138,10 +6206,15 @@ contains
         integer(c_int32_t), intent(inout) :: blades, nodes_of_blade, hub_nodes
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_blades, found_nodes_of_blade, found_hub_nodes, status
 
-        status = pdn_model_rotor_symmetry(self%c, axis, point, blades, nodes_of_blade, &
-            hub_nodes)
+        status = pdn_model_rotor_symmetry(self%c, axis, point, found_blades, &
+            found_nodes_of_blade, found_hub_nodes)
+        if (status == PDN_OK) then
+            blades = found_blades
+            nodes_of_blade = found_nodes_of_blade
+            hub_nodes = found_hub_nodes
+        end if
         call report(status, stat, errmsg)
     end subroutine model_rotor_symmetry
 
@@ -6152,9 +6225,10 @@ contains
         integer(c_int32_t), intent(inout) :: node
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_node, status
 
-        status = pdn_model_rotor_node(self%c, blade, index, node)
+        status = pdn_model_rotor_node(self%c, blade, index, found_node)
+        if (status == PDN_OK) node = found_node
         call report(status, stat, errmsg)
     end subroutine model_rotor_node
 
@@ -6194,13 +6268,16 @@ contains
         type(pdn_shell_placement), intent(in), optional :: placement
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: raw_join, status
+        integer(c_int32_t) :: raw_join
+        type(pdn_shell) :: found_shell
+        integer(c_int32_t) :: status
 
         raw_join = 1_c_int32_t
         if (present(join)) raw_join = merge(1_c_int32_t, 0_c_int32_t, join)
         status = pdn_model_add_shell(self%c, surface, int(max(elements_u, 0), c_size_t), &
             int(max(elements_v, 0), c_size_t), int(max(degree_u, 0), c_size_t), &
-            int(max(degree_v, 0), c_size_t), raw_join, section, placement, shell)
+            int(max(degree_v, 0), c_size_t), raw_join, section, placement, found_shell)
+        if (status == PDN_OK) shell = found_shell
         call report(status, stat, errmsg)
     end subroutine model_add_shell
 
@@ -6217,7 +6294,9 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         integer(c_size_t) :: count
-        integer(c_int32_t) :: raw_join, status
+        integer(c_int32_t) :: raw_join
+        type(pdn_shell) :: found_shell
+        integer(c_int32_t) :: status
 
         count = size(points, 2, c_size_t)
         if (.not. fits('points', shape(points), [3, int(count)], stat, errmsg)) return
@@ -6225,7 +6304,8 @@ contains
         if (present(join)) raw_join = merge(1_c_int32_t, 0_c_int32_t, join)
         status = pdn_model_add_shell_grid(self%c, points, count, int(max(elements_u, 0), &
             c_size_t), int(max(elements_v, 0), c_size_t), int(max(degree_u, 0), c_size_t), &
-            int(max(degree_v, 0), c_size_t), raw_join, section, placement, shell)
+            int(max(degree_v, 0), c_size_t), raw_join, section, placement, found_shell)
+        if (status == PDN_OK) shell = found_shell
         call report(status, stat, errmsg)
     end subroutine model_add_shell_grid
 
@@ -6265,9 +6345,10 @@ contains
         integer(c_int32_t), intent(inout) :: node
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_node, status
 
-        status = pdn_model_shell_patch_node(self%c, shell, u, v, node)
+        status = pdn_model_shell_patch_node(self%c, shell, u, v, found_node)
+        if (status == PDN_OK) node = found_node
         call report(status, stat, errmsg)
     end subroutine model_shell_patch_node
 
@@ -6277,9 +6358,10 @@ contains
         integer(c_int32_t), intent(inout) :: count
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_count, status
 
-        status = pdn_model_shell_element_count(self%c, count)
+        status = pdn_model_shell_element_count(self%c, found_count)
+        if (status == PDN_OK) count = found_count
         call report(status, stat, errmsg)
     end subroutine model_shell_element_count
 
@@ -6290,9 +6372,10 @@ contains
         integer(c_int32_t), intent(inout) :: node
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_node, status
 
-        status = pdn_model_shell_node(self%c, element, xi, eta, node)
+        status = pdn_model_shell_node(self%c, element, xi, eta, found_node)
+        if (status == PDN_OK) node = found_node
         call report(status, stat, errmsg)
     end subroutine model_shell_node
 
@@ -6306,10 +6389,13 @@ contains
         integer(c_int32_t), intent(inout), optional :: load
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_load, status
 
         status = pdn_model_add_shell_load(self%c, first_element, elements, place, frame, &
-            component, raw_of(signal), load)
+            component, raw_of(signal), found_load)
+        if (status == PDN_OK) then
+            if (present(load)) load = found_load
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_shell_load
 
@@ -6378,9 +6464,10 @@ contains
         integer(c_int32_t), intent(inout) :: count
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_count, status
 
-        status = pdn_model_force_count(self%c, count)
+        status = pdn_model_force_count(self%c, found_count)
+        if (status == PDN_OK) count = found_count
         call report(status, stat, errmsg)
     end subroutine model_force_count
 
@@ -6396,14 +6483,17 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         real(c_double) :: raw_damping, raw_rest
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_force, status
 
         raw_damping = 0.0_c_double
         if (present(damping)) raw_damping = damping
         raw_rest = 0.0_c_double
         if (present(rest)) raw_rest = rest
         status = pdn_model_add_spring_damper(self%c, joint, coordinate, stiffness, raw_damping, &
-            raw_rest, force)
+            raw_rest, found_force)
+        if (status == PDN_OK) then
+            if (present(force)) force = found_force
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_spring_damper
 
@@ -6420,7 +6510,7 @@ contains
         character(*), intent(inout), optional :: errmsg
         integer(c_size_t) :: stiffness_count, damping_count
         real(c_double) :: raw_rest
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_force, status
 
         stiffness_count = 0
         if (present(stiffness)) stiffness_count = size(stiffness, 1, c_size_t)
@@ -6429,7 +6519,10 @@ contains
         raw_rest = 0.0_c_double
         if (present(rest)) raw_rest = rest
         status = pdn_model_add_nonlinear_spring_damper(self%c, joint, coordinate, stiffness, &
-            stiffness_count, damping, damping_count, raw_rest, force)
+            stiffness_count, damping, damping_count, raw_rest, found_force)
+        if (status == PDN_OK) then
+            if (present(force)) force = found_force
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_nonlinear_spring_damper
 
@@ -6441,9 +6534,12 @@ contains
         integer(c_int32_t), intent(inout), optional :: force
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_force, status
 
-        status = pdn_model_add_actuator(self%c, joint, coordinate, raw_of(signal), force)
+        status = pdn_model_add_actuator(self%c, joint, coordinate, raw_of(signal), found_force)
+        if (status == PDN_OK) then
+            if (present(force)) force = found_force
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_actuator
 
@@ -6458,13 +6554,16 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         integer(c_size_t) :: branches
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_force, status
 
         branches = size(branch_stiffness, 1, c_size_t)
         if (.not. fits('relaxation_times', shape(relaxation_times), [int(branches)], stat, &
             errmsg)) return
         status = pdn_model_add_viscoelastic(self%c, joint, coordinate, stiffness, rest, &
-            branch_stiffness, relaxation_times, branches, force)
+            branch_stiffness, relaxation_times, branches, found_force)
+        if (status == PDN_OK) then
+            if (present(force)) force = found_force
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_viscoelastic
 
@@ -6477,9 +6576,12 @@ contains
         integer(c_int32_t), intent(inout), optional :: force
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_force, status
 
-        status = pdn_model_add_viscous_damper(self%c, first, second, frame, matrix, force)
+        status = pdn_model_add_viscous_damper(self%c, first, second, frame, matrix, found_force)
+        if (status == PDN_OK) then
+            if (present(force)) force = found_force
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_viscous_damper
 
@@ -6495,10 +6597,13 @@ contains
         integer(c_int32_t), intent(inout), optional :: force
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_force, status
 
         status = pdn_model_add_bushing(self%c, first, second, first_frame, second_frame, &
-            stiffness, damping, angles, force)
+            stiffness, damping, angles, found_force)
+        if (status == PDN_OK) then
+            if (present(force)) force = found_force
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_bushing
 
@@ -6515,14 +6620,17 @@ contains
         character(*), intent(inout), optional :: errmsg
         type(c_ptr) :: raw_user_data
         type(c_funptr) :: raw_destroy
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_force, status
 
         raw_user_data = c_null_ptr
         if (present(user_data)) raw_user_data = user_data
         raw_destroy = c_null_funptr
         if (present(destroy)) raw_destroy = c_funloc(destroy)
         status = pdn_model_add_coordinate_law(self%c, joint, coordinate, tangents, &
-            c_funloc(function), raw_user_data, raw_destroy, force)
+            c_funloc(function), raw_user_data, raw_destroy, found_force)
+        if (status == PDN_OK) then
+            if (present(force)) force = found_force
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_coordinate_law
 
@@ -6541,7 +6649,7 @@ contains
         integer(c_size_t) :: count
         type(c_ptr) :: raw_user_data
         type(c_funptr) :: raw_destroy
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_force, status
 
         count = size(nodes, 1, c_size_t)
         raw_user_data = c_null_ptr
@@ -6549,7 +6657,10 @@ contains
         raw_destroy = c_null_funptr
         if (present(destroy)) raw_destroy = c_funloc(destroy)
         status = pdn_model_add_user_force(self%c, nodes, count, frame, tangents, &
-            c_funloc(function), raw_user_data, raw_destroy, force)
+            c_funloc(function), raw_user_data, raw_destroy, found_force)
+        if (status == PDN_OK) then
+            if (present(force)) force = found_force
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_user_force
 
@@ -6590,7 +6701,7 @@ contains
         integer(c_size_t) :: input_count, output_count, state_count
         type(c_ptr) :: raw_user_data
         type(c_funptr) :: raw_destroy
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_force, status
 
         input_count = 0
         if (present(input_coordinates)) input_count = size(input_coordinates, 1, c_size_t)
@@ -6614,7 +6725,10 @@ contains
         if (present(destroy)) raw_destroy = c_funloc(destroy)
         status = pdn_model_add_controller(self%c, input_joints, input_coordinates, input_count, &
             output_joints, output_coordinates, output_count, initial, sizes, state_count, &
-            tangents, c_funloc(function), raw_user_data, raw_destroy, force)
+            tangents, c_funloc(function), raw_user_data, raw_destroy, found_force)
+        if (status == PDN_OK) then
+            if (present(force)) force = found_force
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_controller
 
@@ -6627,10 +6741,15 @@ contains
         integer(c_int32_t), intent(inout), optional :: input_count, output_count, state_count
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_input_count, found_output_count, found_state_count, status
 
-        status = pdn_model_controller_counts(self%c, force, input_count, output_count, &
-            state_count)
+        status = pdn_model_controller_counts(self%c, force, found_input_count, &
+            found_output_count, found_state_count)
+        if (status == PDN_OK) then
+            if (present(input_count)) input_count = found_input_count
+            if (present(output_count)) output_count = found_output_count
+            if (present(state_count)) state_count = found_state_count
+        end if
         call report(status, stat, errmsg)
     end subroutine model_controller_counts
 
@@ -6641,9 +6760,14 @@ contains
         integer(c_int32_t), intent(inout) :: joint, coordinate
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_joint, found_coordinate, status
 
-        status = pdn_model_controller_coordinate(self%c, force, index, joint, coordinate)
+        status = pdn_model_controller_coordinate(self%c, force, index, found_joint, &
+            found_coordinate)
+        if (status == PDN_OK) then
+            joint = found_joint
+            coordinate = found_coordinate
+        end if
         call report(status, stat, errmsg)
     end subroutine model_controller_coordinate
 
@@ -6654,9 +6778,14 @@ contains
         real(c_double), intent(inout), optional :: initial, size
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        real(c_double) :: found_initial, found_size
         integer(c_int32_t) :: status
 
-        status = pdn_model_controller_state(self%c, force, index, initial, size)
+        status = pdn_model_controller_state(self%c, force, index, found_initial, found_size)
+        if (status == PDN_OK) then
+            if (present(initial)) initial = found_initial
+            if (present(size)) size = found_size
+        end if
         call report(status, stat, errmsg)
     end subroutine model_controller_state
 
@@ -6674,14 +6803,17 @@ contains
         character(*), intent(inout), optional :: errmsg
         type(c_ptr) :: raw_user_data
         type(c_funptr) :: raw_destroy
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_first_force, status
 
         raw_user_data = c_null_ptr
         if (present(user_data)) raw_user_data = user_data
         raw_destroy = c_null_funptr
         if (present(destroy)) raw_destroy = c_funloc(destroy)
         status = pdn_model_add_surface_force(self%c, first_element, elements, place, frame, &
-            tangents, c_funloc(function), raw_user_data, raw_destroy, first_force)
+            tangents, c_funloc(function), raw_user_data, raw_destroy, found_first_force)
+        if (status == PDN_OK) then
+            if (present(first_force)) first_force = found_first_force
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_surface_force
 
@@ -6858,9 +6990,10 @@ contains
         integer(c_int32_t), intent(inout) :: id
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_id, status
 
-        status = pdn_model_find_label(self%c, kind, trim(label)//c_null_char, id)
+        status = pdn_model_find_label(self%c, kind, trim(label)//c_null_char, found_id)
+        if (status == PDN_OK) id = found_id
         call report(status, stat, errmsg)
     end subroutine model_find_label
 
@@ -6938,9 +7071,10 @@ contains
         integer(c_int32_t), intent(inout) :: count
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_count, status
 
-        status = pdn_model_parameter_count(self%c, count)
+        status = pdn_model_parameter_count(self%c, found_count)
+        if (status == PDN_OK) count = found_count
         call report(status, stat, errmsg)
     end subroutine model_parameter_count
 
@@ -6952,9 +7086,14 @@ contains
         real(c_double), intent(inout), optional :: scale
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        real(c_double) :: found_value, found_scale
         integer(c_int32_t) :: status
 
-        status = pdn_model_parameter(self%c, parameter, value, scale)
+        status = pdn_model_parameter(self%c, parameter, found_value, found_scale)
+        if (status == PDN_OK) then
+            value = found_value
+            if (present(scale)) scale = found_scale
+        end if
         call report(status, stat, errmsg)
     end subroutine model_parameter
 
@@ -6978,9 +7117,10 @@ contains
         integer(c_int32_t), intent(inout) :: parameter
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_parameter, status
 
-        status = pdn_model_find_parameter(self%c, trim(name)//c_null_char, parameter)
+        status = pdn_model_find_parameter(self%c, trim(name)//c_null_char, found_parameter)
+        if (status == PDN_OK) parameter = found_parameter
         call report(status, stat, errmsg)
     end subroutine model_find_parameter
 
@@ -7091,9 +7231,11 @@ contains
         real(c_double), intent(inout) :: out
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        real(c_double) :: found_out
         integer(c_int32_t) :: status
 
-        status = pdn_model_force_number(self%c, force, number, index, out)
+        status = pdn_model_force_number(self%c, force, number, index, found_out)
+        if (status == PDN_OK) out = found_out
         call report(status, stat, errmsg)
     end subroutine model_force_number
 
@@ -7104,9 +7246,10 @@ contains
         integer(c_int32_t), intent(inout) :: node
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_node, status
 
-        status = pdn_model_force_node(self%c, force, index, node)
+        status = pdn_model_force_node(self%c, force, index, found_node)
+        if (status == PDN_OK) node = found_node
         call report(status, stat, errmsg)
     end subroutine model_force_node
 
@@ -7117,9 +7260,10 @@ contains
         integer(c_int32_t), intent(inout) :: count
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_count, status
 
-        status = pdn_model_beam_element_node_count(self%c, element, count)
+        status = pdn_model_beam_element_node_count(self%c, element, found_count)
+        if (status == PDN_OK) count = found_count
         call report(status, stat, errmsg)
     end subroutine model_beam_element_node_count
 
@@ -7130,9 +7274,10 @@ contains
         integer(c_int32_t), intent(inout) :: node
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_node, status
 
-        status = pdn_model_beam_element_node(self%c, element, index, node)
+        status = pdn_model_beam_element_node(self%c, element, index, found_node)
+        if (status == PDN_OK) node = found_node
         call report(status, stat, errmsg)
     end subroutine model_beam_element_node
 
@@ -7146,11 +7291,15 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         type(pdn_section) :: found_out
+        real(c_double) :: found_twist
         integer(c_int32_t) :: status
 
         call pdn_init(found_out)
-        status = pdn_model_beam_section(self%c, element, station, found_out, twist)
-        if (status == PDN_OK) out = found_out
+        status = pdn_model_beam_section(self%c, element, station, found_out, found_twist)
+        if (status == PDN_OK) then
+            out = found_out
+            if (present(twist)) twist = found_twist
+        end if
         call report(status, stat, errmsg)
     end subroutine model_beam_section
 
@@ -7161,9 +7310,10 @@ contains
         integer(c_int32_t), intent(inout) :: count
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_count, status
 
-        status = pdn_model_inertia_count(self%c, count)
+        status = pdn_model_inertia_count(self%c, found_count)
+        if (status == PDN_OK) count = found_count
         call report(status, stat, errmsg)
     end subroutine model_inertia_count
 
@@ -7175,9 +7325,10 @@ contains
         real(c_double), intent(inout) :: matrix(6, 6)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_node, status
 
-        status = pdn_model_inertia(self%c, inertia, node, matrix)
+        status = pdn_model_inertia(self%c, inertia, found_node, matrix)
+        if (status == PDN_OK) node = found_node
         call report(status, stat, errmsg)
     end subroutine model_inertia
 
@@ -7188,9 +7339,10 @@ contains
         integer(c_int32_t), intent(inout) :: inertia
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_inertia, status
 
-        status = pdn_model_inertia_of(self%c, node, inertia)
+        status = pdn_model_inertia_of(self%c, node, found_inertia)
+        if (status == PDN_OK) inertia = found_inertia
         call report(status, stat, errmsg)
     end subroutine model_inertia_of
 
@@ -7202,9 +7354,13 @@ contains
         integer(c_int32_t), intent(inout) :: joint, coordinate
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_joint, found_coordinate, status
 
-        status = pdn_model_prescribed(self%c, prescribed, joint, coordinate)
+        status = pdn_model_prescribed(self%c, prescribed, found_joint, found_coordinate)
+        if (status == PDN_OK) then
+            joint = found_joint
+            coordinate = found_coordinate
+        end if
         call report(status, stat, errmsg)
     end subroutine model_prescribed
 
@@ -7215,9 +7371,10 @@ contains
         integer(c_int32_t), intent(inout) :: count
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_count, status
 
-        status = pdn_model_relation_term_count(self%c, relation, count)
+        status = pdn_model_relation_term_count(self%c, relation, found_count)
+        if (status == PDN_OK) count = found_count
         call report(status, stat, errmsg)
     end subroutine model_relation_term_count
 
@@ -7230,10 +7387,17 @@ contains
         real(c_double), intent(inout) :: coefficient
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: found_joint, found_coordinate
+        real(c_double) :: found_coefficient
         integer(c_int32_t) :: status
 
-        status = pdn_model_relation_term(self%c, relation, index, joint, coordinate, &
-            coefficient)
+        status = pdn_model_relation_term(self%c, relation, index, found_joint, found_coordinate, &
+            found_coefficient)
+        if (status == PDN_OK) then
+            joint = found_joint
+            coordinate = found_coordinate
+            coefficient = found_coefficient
+        end if
         call report(status, stat, errmsg)
     end subroutine model_relation_term
 
@@ -7263,9 +7427,10 @@ contains
         integer(c_int32_t), intent(inout) :: count
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_count, status
 
-        status = pdn_model_load_count(self%c, count)
+        status = pdn_model_load_count(self%c, found_count)
+        if (status == PDN_OK) count = found_count
         call report(status, stat, errmsg)
     end subroutine model_load_count
 
@@ -7276,9 +7441,13 @@ contains
         integer(c_int32_t), intent(inout) :: node, frame
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_node, found_frame, status
 
-        status = pdn_model_load_at(self%c, load, node, frame)
+        status = pdn_model_load_at(self%c, load, found_node, found_frame)
+        if (status == PDN_OK) then
+            node = found_node
+            frame = found_frame
+        end if
         call report(status, stat, errmsg)
     end subroutine model_load_at
 
@@ -7289,9 +7458,10 @@ contains
         integer(c_int32_t), intent(inout) :: count
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_count, status
 
-        status = pdn_model_beam_load_count(self%c, count)
+        status = pdn_model_beam_load_count(self%c, found_count)
+        if (status == PDN_OK) count = found_count
         call report(status, stat, errmsg)
     end subroutine model_beam_load_count
 
@@ -7305,10 +7475,17 @@ contains
         real(c_double), intent(inout), optional :: axis_2(3)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_first_element, found_elements, found_frame, found_places, &
+            status
 
-        status = pdn_model_beam_load(self%c, load, first_element, elements, frame, axis_2, &
-            places)
+        status = pdn_model_beam_load(self%c, load, found_first_element, found_elements, &
+            found_frame, axis_2, found_places)
+        if (status == PDN_OK) then
+            first_element = found_first_element
+            elements = found_elements
+            frame = found_frame
+            places = found_places
+        end if
         call report(status, stat, errmsg)
     end subroutine model_beam_load
 
@@ -7319,9 +7496,14 @@ contains
         real(c_double), intent(inout) :: fraction, factor
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        real(c_double) :: found_fraction, found_factor
         integer(c_int32_t) :: status
 
-        status = pdn_model_beam_load_factor(self%c, load, index, fraction, factor)
+        status = pdn_model_beam_load_factor(self%c, load, index, found_fraction, found_factor)
+        if (status == PDN_OK) then
+            fraction = found_fraction
+            factor = found_factor
+        end if
         call report(status, stat, errmsg)
     end subroutine model_beam_load_factor
 
@@ -7331,9 +7513,10 @@ contains
         integer(c_int32_t), intent(inout) :: count
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_count, status
 
-        status = pdn_model_shell_load_count(self%c, count)
+        status = pdn_model_shell_load_count(self%c, found_count)
+        if (status == PDN_OK) count = found_count
         call report(status, stat, errmsg)
     end subroutine model_shell_load_count
 
@@ -7344,9 +7527,17 @@ contains
         integer(c_int32_t), intent(inout) :: first_element, elements, place, frame
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_first_element, found_elements, found_place, found_frame, &
+            status
 
-        status = pdn_model_shell_load(self%c, load, first_element, elements, place, frame)
+        status = pdn_model_shell_load(self%c, load, found_first_element, found_elements, &
+            found_place, found_frame)
+        if (status == PDN_OK) then
+            first_element = found_first_element
+            elements = found_elements
+            place = found_place
+            frame = found_frame
+        end if
         call report(status, stat, errmsg)
     end subroutine model_shell_load
 
@@ -7633,10 +7824,11 @@ contains
     end subroutine modes_outcome
 
     ! Whether it is there, and has converged.
-    logical function modes_converged(self)
+    function modes_converged(self) result(converged)
         class(pdn_modes), intent(in) :: self
+        logical :: converged
 
-        modes_converged = pdn_modes_outcome(self%c) == PDN_CONVERGED
+        converged = pdn_modes_outcome(self%c) == PDN_CONVERGED
     end function modes_converged
 
     ! A readable report: outcome of the equilibrium and why, and a table of the modes.
@@ -7657,10 +7849,11 @@ contains
         logical, intent(inout), optional :: complete
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: found_complete, status
+        integer(c_int32_t) :: found_out, found_complete, status
 
-        status = pdn_modes_count(self%c, out, found_complete)
+        status = pdn_modes_count(self%c, found_out, found_complete)
         if (status == PDN_OK) then
+            out = found_out
             if (present(complete)) complete = found_complete /= 0
         end if
         call report(status, stat, errmsg)
@@ -7802,10 +7995,11 @@ contains
     end subroutine solution_outcome
 
     ! Whether it is there, and has converged.
-    logical function solution_converged(self)
+    function solution_converged(self) result(converged)
         class(pdn_solution), intent(in) :: self
+        logical :: converged
 
-        solution_converged = pdn_solution_outcome(self%c) == PDN_CONVERGED
+        converged = pdn_solution_outcome(self%c) == PDN_CONVERGED
     end function solution_converged
 
     ! A readable report: outcome and why, iterations, error estimates, time spent.
@@ -7837,24 +8031,28 @@ contains
     ! History of the Newton iterations of the periodic problem.
     subroutine solution_history(self, residuals, increments, steps, stat, errmsg)
         class(pdn_solution), intent(in) :: self
-        real(c_double), allocatable, intent(inout) :: residuals(:), increments(:), steps(:)
+        real(c_double), allocatable, intent(inout), optional :: residuals(:), increments(:), &
+            steps(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
         type(pdn_diagnostics) :: asked
         real(c_double), allocatable :: found_residuals(:), found_increments(:), found_steps(:)
         integer(c_int32_t) :: status
 
+        count = 0
         call pdn_init(asked)
         status = pdn_solution_diagnostics(self%c, asked)
-        allocate (found_residuals(asked%iterations))
-        allocate (found_increments(asked%iterations))
-        allocate (found_steps(asked%iterations))
+        count = asked%iterations
+        allocate (found_residuals(count))
+        allocate (found_increments(count))
+        allocate (found_steps(count))
         if (status == PDN_OK) status = pdn_solution_history(self%c, found_residuals, &
-            found_increments, found_steps, int(asked%iterations, c_size_t))
+            found_increments, found_steps, count)
         if (status == PDN_OK) then
-            call move_alloc(found_residuals, residuals)
-            call move_alloc(found_increments, increments)
-            call move_alloc(found_steps, steps)
+            if (present(residuals)) call move_alloc(found_residuals, residuals)
+            if (present(increments)) call move_alloc(found_increments, increments)
+            if (present(steps)) call move_alloc(found_steps, steps)
         end if
         call report(status, stat, errmsg)
     end subroutine solution_history
@@ -7866,15 +8064,17 @@ contains
         real(c_double), allocatable, intent(inout) :: amplitudes(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
         type(pdn_diagnostics) :: asked
         real(c_double), allocatable :: found_amplitudes(:)
         integer(c_int32_t) :: status
 
+        count = 0
         call pdn_init(asked)
         status = pdn_solution_diagnostics(self%c, asked)
-        allocate (found_amplitudes((asked%grid_points + 1)/2))
-        if (status == PDN_OK) status = pdn_solution_decay(self%c, found_amplitudes, &
-            int((asked%grid_points + 1)/2, c_size_t))
+        count = (asked%grid_points + 1) / 2
+        allocate (found_amplitudes(count))
+        if (status == PDN_OK) status = pdn_solution_decay(self%c, found_amplitudes, count)
         if (status == PDN_OK) call move_alloc(found_amplitudes, amplitudes)
         call report(status, stat, errmsg)
     end subroutine solution_decay
@@ -7901,17 +8101,17 @@ contains
         real(c_double), allocatable, intent(inout) :: times(:), widths(:), shares(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_size_t) :: asked
+        integer(c_size_t) :: count
         real(c_double), allocatable :: found_times(:), found_widths(:), found_shares(:)
         integer(c_int32_t) :: status
 
-        asked = 0
-        status = pdn_solution_sharp_event_count(self%c, asked)
-        allocate (found_times(asked))
-        allocate (found_widths(asked))
-        allocate (found_shares(asked))
+        count = 0
+        status = pdn_solution_sharp_event_count(self%c, count)
+        allocate (found_times(count))
+        allocate (found_widths(count))
+        allocate (found_shares(count))
         if (status == PDN_OK) status = pdn_solution_sharp_events(self%c, found_times, &
-            found_widths, found_shares, int(asked, c_size_t))
+            found_widths, found_shares, count)
         if (status == PDN_OK) then
             call move_alloc(found_times, times)
             call move_alloc(found_widths, widths)
@@ -7927,15 +8127,17 @@ contains
         real(c_double), allocatable, intent(inout) :: times(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
         type(pdn_diagnostics) :: asked
         real(c_double), allocatable :: found_times(:)
         integer(c_int32_t) :: status
 
+        count = 0
         call pdn_init(asked)
         status = pdn_solution_diagnostics(self%c, asked)
-        allocate (found_times(asked%grid_points))
-        if (status == PDN_OK) status = pdn_solution_grid_times(self%c, found_times, &
-            int(asked%grid_points, c_size_t))
+        count = asked%grid_points
+        allocate (found_times(count))
+        if (status == PDN_OK) status = pdn_solution_grid_times(self%c, found_times, count)
         if (status == PDN_OK) call move_alloc(found_times, times)
         call report(status, stat, errmsg)
     end subroutine solution_grid_times
@@ -8067,9 +8269,11 @@ contains
         real(c_double), intent(inout) :: out
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        real(c_double) :: found_out
         integer(c_int32_t) :: status
 
-        status = pdn_solution_parameter(self%c, parameter, out)
+        status = pdn_solution_parameter(self%c, parameter, found_out)
+        if (status == PDN_OK) out = found_out
         call report(status, stat, errmsg)
     end subroutine solution_parameter
 
@@ -8160,16 +8364,16 @@ contains
         real(c_double), allocatable, intent(inout) :: real(:), imaginary(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_size_t) :: asked
+        integer(c_size_t) :: count
         real(c_double), allocatable :: found_real(:), found_imaginary(:)
         integer(c_int32_t) :: status
 
-        asked = 0
-        status = pdn_solution_floquet_count(self%c, asked)
-        allocate (found_real(asked))
-        allocate (found_imaginary(asked))
+        count = 0
+        status = pdn_solution_floquet_count(self%c, count)
+        allocate (found_real(count))
+        allocate (found_imaginary(count))
         if (status == PDN_OK) status = pdn_solution_floquet(self%c, found_real, found_imaginary, &
-            int(asked, c_size_t))
+            count)
         if (status == PDN_OK) then
             call move_alloc(found_real, real)
             call move_alloc(found_imaginary, imaginary)
@@ -8264,10 +8468,11 @@ contains
     end subroutine stability_outcome
 
     ! Whether it is there, and has converged.
-    logical function stability_converged(self)
+    function stability_converged(self) result(converged)
         class(pdn_stability), intent(in) :: self
+        logical :: converged
 
-        stability_converged = pdn_stability_outcome(self%c) == PDN_CONVERGED
+        converged = pdn_stability_outcome(self%c) == PDN_CONVERGED
     end function stability_converged
 
     ! What the multipliers say.
@@ -8277,9 +8482,15 @@ contains
         real(c_double), intent(inout), optional :: frequency_limit
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: found_verdict
+        real(c_double) :: found_frequency_limit
         integer(c_int32_t) :: status
 
-        status = pdn_stability_verdict(self%c, verdict, frequency_limit)
+        status = pdn_stability_verdict(self%c, found_verdict, found_frequency_limit)
+        if (status == PDN_OK) then
+            verdict = found_verdict
+            if (present(frequency_limit)) frequency_limit = found_frequency_limit
+        end if
         call report(status, stat, errmsg)
     end subroutine stability_verdict
 
@@ -8317,22 +8528,35 @@ contains
         call report(status, stat, errmsg)
     end subroutine stability_get
 
-    ! Times of the shapes of modes: ends of equal steps over the period, the last is the period.
-    subroutine stability_times(self, times, steps, stat, errmsg)
+    ! Number of times of the shapes of modes.
+    subroutine stability_time_count(self, out, stat, errmsg)
         class(pdn_stability), intent(in) :: self
-        real(c_double), intent(inout), contiguous, optional :: times(:)
-        integer(c_int32_t), intent(inout), optional :: steps
+        integer(c_int32_t), intent(inout) :: out
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_size_t) :: count, found_steps
+        integer(c_size_t) :: found_out
+        integer(c_int32_t) :: status
+
+        status = pdn_stability_time_count(self%c, found_out)
+        if (status == PDN_OK) out = int(found_out, c_int32_t)
+        call report(status, stat, errmsg)
+    end subroutine stability_time_count
+
+    ! Times of the shapes of modes: ends of equal steps over the period, the last is the period.
+    subroutine stability_times(self, times, stat, errmsg)
+        class(pdn_stability), intent(in) :: self
+        real(c_double), allocatable, intent(inout) :: times(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
+        real(c_double), allocatable :: found_times(:)
         integer(c_int32_t) :: status
 
         count = 0
-        if (present(times)) count = size(times, 1, c_size_t)
-        status = pdn_stability_times(self%c, times, count, found_steps)
-        if (status == PDN_OK) then
-            if (present(steps)) steps = int(found_steps, c_int32_t)
-        end if
+        status = pdn_stability_time_count(self%c, count)
+        allocate (found_times(count))
+        if (status == PDN_OK) status = pdn_stability_times(self%c, found_times, count)
+        if (status == PDN_OK) call move_alloc(found_times, times)
         call report(status, stat, errmsg)
     end subroutine stability_times
 
@@ -8340,19 +8564,24 @@ contains
     subroutine stability_shape(self, number, node, real, imaginary, stat, errmsg)
         class(pdn_stability), intent(in) :: self
         integer(c_int32_t), intent(in) :: number, node
-        real(c_double), intent(inout), contiguous :: real(:, :)
-        real(c_double), intent(inout), contiguous, optional :: imaginary(:, :)
+        real(c_double), allocatable, intent(inout) :: real(:, :)
+        real(c_double), allocatable, intent(inout), optional :: imaginary(:, :)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         integer(c_size_t) :: steps
+        real(c_double), allocatable :: found_real(:, :), found_imaginary(:, :)
         integer(c_int32_t) :: status
 
-        steps = size(real, 2, c_size_t)
-        if (.not. fits('real', shape(real), [6, int(steps)], stat, errmsg)) return
-        if (present(imaginary)) then
-            if (.not. fits('imaginary', shape(imaginary), [6, int(steps)], stat, errmsg)) return
+        steps = 0
+        status = pdn_stability_time_count(self%c, steps)
+        allocate (found_real(6, steps))
+        allocate (found_imaginary(6, steps))
+        if (status == PDN_OK) status = pdn_stability_shape(self%c, number, node, steps, &
+            found_real, found_imaginary)
+        if (status == PDN_OK) then
+            call move_alloc(found_real, real)
+            if (present(imaginary)) call move_alloc(found_imaginary, imaginary)
         end if
-        status = pdn_stability_shape(self%c, number, node, steps, real, imaginary)
         call report(status, stat, errmsg)
     end subroutine stability_shape
 

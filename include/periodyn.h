@@ -1784,8 +1784,9 @@ typedef struct pdn_force_values {
      */
     double *forces;
     /**
-     * Array of shape 6 [node_count] x 6 [node_count], column by column: derivatives of forces by
-     * displacements and turns. NULL if tangents are not wanted, or were said not to be given.
+     * Array of shape 6 x [node_count] x 6 x [node_count], column by column: derivatives of
+     * forces by displacements and turns. NULL if tangents are not wanted, or were said not to be
+     * given.
      */
     double *by_motion;
     /**
@@ -1930,7 +1931,7 @@ typedef struct pdn_controller_values {
      */
     double *state_rates;
     /**
-     * Array of shape ([output_count] + [state_count]) x [input_count], column by column:
+     * Array of shape [output_count + state_count] x [input_count], column by column:
      * derivatives by the coordinates. NULL if tangents are not wanted, or were said not to be
      * given.
      */
@@ -1940,7 +1941,7 @@ typedef struct pdn_controller_values {
      */
     double *by_input_rates;
     /**
-     * Array of shape ([output_count] + [state_count]) x [state_count], column by column:
+     * Array of shape [output_count + state_count] x [state_count], column by column:
      * derivatives by the states; NULL where by_inputs is.
      */
     double *by_states;
@@ -2381,13 +2382,14 @@ typedef struct pdn_periodic_options {
      */
     const struct pdn_solution *initial;
     /**
-     * Start from these positions, 3 x N x nodes: coordinates fastest, then grid points, then
-     * nodes; NULL to start otherwise. Needs guess_rotations, and grid_points or harmonics. Default
-     * NULL.
+     * Start from these positions, an array of shape 3 x [N] x [nodes]: coordinates fastest, then
+     * grid points, then nodes; NULL to start otherwise. Needs guess_rotations, and grid_points or
+     * harmonics. Default NULL.
      */
     const double *guess_positions;
     /**
-     * Rotation matrices of the same start, 9 x N x nodes, each column by column. Default NULL.
+     * Rotation matrices of the same start, an array of shape 9 x [N] x [nodes], each column by
+     * column. Default NULL.
      */
     const double *guess_rotations;
     /**
@@ -3156,17 +3158,18 @@ typedef struct pdn_march_options {
      */
     const struct pdn_solution *initial;
     /**
-     * Start from these positions, 3 x nodes; NULL for those of the reference configuration. Needs
-     * rotations. Default NULL.
+     * Start from these positions, an array of shape 3 x [nodes]; NULL for those of the reference
+     * configuration. Needs rotations. Default NULL.
      */
     const double *positions;
     /**
-     * Rotation matrices of the same start, 9 x nodes, each column by column. Default NULL.
+     * Rotation matrices of the same start, an array of shape 9 x [nodes], each column by column.
+     * Default NULL.
      */
     const double *rotations;
     /**
-     * Velocities of the same start, 6 x nodes: velocity of each node and its angular velocity,
-     * inertial frame; NULL for none. Default NULL.
+     * Velocities of the same start, an array of shape 6 x [nodes]: velocity of each node and its
+     * angular velocity, inertial frame; NULL for none. Default NULL.
      */
     const double *velocities;
     /**
@@ -3535,7 +3538,7 @@ int32_t pdn_last_callback_code(void);
  * An internal error (PDN_ERR_PANIC) is a defect of the library; the printed text says where it is.
  * Holds for the whole process.
  *
- * @param enabled  0 to print nothing, anything else to print
+ * @param enabled  1: they are printed; 0: they are not
  *
  * Threads: any.
  * @since 0.1
@@ -3648,11 +3651,12 @@ pdn_status pdn_signal_set_constant(struct pdn_signal *signal,
  * 2 pi); all else must have rate zero.
  *
  * @param signal  an initialised signal; not NULL
- * @param mean  mean, in the unit of what the signal drives
- * @param rate  growth for a unit of time
+ * @param mean  mean, in the unit of what the signal drives; usually 0
+ * @param rate  growth for a unit of time; usually 0
  * @param cosines  array of length [count]; may be NULL if count is 0. Read by the call that takes
  *     the signal: must be there until then
- * @param sines  array of length [count]; likewise
+ * @param sines  array of length [count]; may be NULL if count is 0. Read by the call that takes
+ *     the signal: must be there until then
  * @param count  number of harmonics
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE
  *
@@ -3673,7 +3677,7 @@ pdn_status pdn_signal_set_harmonics(struct pdn_signal *signal,
  * The samples are equally spaced over one period T of the solve, the end of which is not repeated.
  *
  * @param signal  an initialised signal; not NULL
- * @param rate  growth for a unit of time, as in ::pdn_signal_set_harmonics
+ * @param rate  growth for a unit of time, as in ::pdn_signal_set_harmonics; usually 0
  * @param samples  array of length [count], without the growth, in the unit of what the signal
  *     drives; not NULL. Read by the call that takes the signal: must be there until then
  * @param count  number of samples, at least 1, odd or even
@@ -3833,8 +3837,9 @@ pdn_status pdn_model_node_frame(const struct pdn_model *model,
  *
  * @param model  the model; not NULL
  * @param position  array of length 3: its position, global coordinates [length]
- * @param rotation  array of length 9: its axes, a rotation matrix column by column, the columns
- *     being axes 1, 2, 3 in global coordinates; NULL for axes parallel to the global ones
+ * @param rotation  array of shape 3 x 3: its axes, a rotation matrix column by column, the
+ *     columns being axes 1, 2, 3 in global coordinates; NULL for axes parallel to the global
+ *     ones
  * @param node  the node's id; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE
  *
@@ -3855,8 +3860,8 @@ pdn_status pdn_model_add_node(struct pdn_model *model,
  * @param model  the model; not NULL
  * @param mass  mass, positive [mass]
  * @param centre  array of length 3: centre of mass, global coordinates [length]
- * @param inertia  array of length 9: moments of inertia about the centre of mass, in global axes,
- *     3 x 3, symmetric and positive semi-definite [mass * length^2]
+ * @param inertia  array of shape 3 x 3: moments of inertia about the centre of mass, in global
+ *     axes, symmetric and positive semi-definite [mass * length^2]
  * @param node  the node's id; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE
  *
@@ -3878,7 +3883,7 @@ pdn_status pdn_model_add_rigid_body(struct pdn_model *model,
  * @param mass  mass, zero or more [mass]
  * @param centre  array of length 3: its centre, global coordinates; need not be at the node
  *     [length]
- * @param inertia  array of length 9: moments of inertia about the centre, in global axes, 3 x 3,
+ * @param inertia  array of shape 3 x 3: moments of inertia about the centre, in global axes,
  *     symmetric and positive semi-definite [mass * length^2]; NULL for a point mass
  * @param id  id of the inertia; may be NULL if it is not wanted; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
@@ -3904,7 +3909,7 @@ pdn_status pdn_model_add_mass(struct pdn_model *model,
  * @param model  the model; not NULL
  * @param node  id of the node
  * @param frame  the frame that the matrix is about and resolved in; NULL for the node's own
- * @param matrix  array of length 36: 6 x 6, symmetric and positive semi-definite
+ * @param matrix  array of shape 6 x 6: symmetric and positive semi-definite
  *     [mass, mass * length,     mass * length^2]
  * @param id  id of the inertia; may be NULL if it is not wanted; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
@@ -4531,9 +4536,9 @@ pdn_status pdn_model_add_beam(struct pdn_model *model,
  * @param model  the model; not NULL
  * @param line  reference line; not NULL
  * @param stations  cross-sections along it; not NULL
- * @param boundaries  array of length [elements + 1]: places along the span where elements begin
- *     and end, from 0 at the start to 1 at the end, ascending, with all jumps among them
- * @param elements  number of elements, 1 to 1000000
+ * @param boundaries  array of length [count]: places along the span where elements begin and end,
+ *     from 0 at the start to 1 at the end, ascending, with all jumps among them
+ * @param count  number of boundaries, 2 to 1000001: one more than there are elements
  * @param degree  polynomial degree of the elements, 1 to 24; an element has degree + 1 nodes
  * @param beam  ids of what was made; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_STRUCT_SIZE,
@@ -4548,7 +4553,7 @@ pdn_status pdn_model_add_beam_between(struct pdn_model *model,
                                       const struct pdn_line *line,
                                       const struct pdn_stations *stations,
                                       const double *boundaries,
-                                      size_t elements,
+                                      size_t count,
                                       size_t degree,
                                       struct pdn_beam *beam);
 
@@ -4600,8 +4605,8 @@ pdn_status pdn_model_set_gravity(struct pdn_model *model,
  *
  * @param model  the model; not NULL
  * @param acceleration_1  component along global axis 1 [length / time^2], copied; NULL for none
- * @param acceleration_2  component along global axis 2, likewise
- * @param acceleration_3  component along global axis 3, likewise
+ * @param acceleration_2  component along global axis 2, copied; NULL for none
+ * @param acceleration_3  component along global axis 3, copied; NULL for none
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_VALUE,
  *     PDN_ERR_STRUCT_SIZE
  *
@@ -4676,7 +4681,7 @@ pdn_status pdn_model_add_distributed_load(struct pdn_model *model,
  *     along the line; read for PDN_FRAME_UNTWISTED only, else it may be NULL
  * @param fractions  array of length [count]: places, as fractions of the reference length of these
  *     elements, ascending from 0 to 1; two at the same place make a jump
- * @param signals  array of length [6 count], each initialised, copied: those of the first place,
+ * @param signals  array of shape 6 x [count], each initialised, copied: those of the first place,
  *     PDN_FORCE_1 to PDN_FORCE_3 [force / length] and PDN_MOMENT_1 to PDN_MOMENT_3 [force], then
  *     those of the next. One that was only initialised is zero
  * @param count  number of places, at least 2
@@ -5056,7 +5061,7 @@ pdn_status pdn_model_add_shell_element(struct pdn_model *model,
  * @param degree_v  polynomial degree along v, likewise
  * @param join  1: nodes on the edges of the surface at the same place as nodes of shells that are
  *     there, or on another of its own edges, are these, so that shells are joined and closed; 0:
- *     all nodes are new
+ *     all nodes are new; usually 1
  * @param section  the section; not NULL
  * @param placement  how it lies on the nodes; NULL for the defaults
  * @param shell  the shell's elements and numbers of nodes; written on success only
@@ -5086,14 +5091,14 @@ pdn_status pdn_model_add_shell(struct pdn_model *model,
  * 1 and 2 evenly.
  *
  * @param model  the model; not NULL
- * @param points  array of length 3 x [count]: positions of the nodes, global coordinates, those
+ * @param points  array of shape 3 x [count]: positions of the nodes, global coordinates, those
  *     along v first [length]
  * @param count  number of nodes: (elements_u degree_u + 1) (elements_v degree_v + 1)
  * @param elements_u  number of elements along u, 1 to 100000
  * @param elements_v  number of elements along v, likewise
  * @param degree_u  polynomial degree along u, 1 to 15
  * @param degree_v  polynomial degree along v, likewise
- * @param join  0 or 1, as ::pdn_model_add_shell has it
+ * @param join  0 or 1, as ::pdn_model_add_shell has it; usually 1
  * @param section  the section; not NULL
  * @param placement  how it lies on the nodes; NULL for the defaults
  * @param shell  the shell's elements and numbers of nodes; written on success only
@@ -5128,7 +5133,7 @@ pdn_status pdn_model_add_shell_grid(struct pdn_model *model,
  * nodes.
  *
  * @param model  the model; not NULL
- * @param points  array of length 3 x [point_count]: positions, global coordinates [length]
+ * @param points  array of shape 3 x [point_count]: positions, global coordinates [length]
  * @param point_count  number of points
  * @param cells  array of length [count]: numbers of the points of each cell from 0 on, one cell
  *     after the other
@@ -5354,8 +5359,8 @@ pdn_status pdn_model_force_count(const struct pdn_model *model,
  * @param stiffness  effort for a unit of the coordinate [force / length, or force * length]; may
  *     be negative
  * @param damping  effort for a unit of its rate [force * time / length, or force * length * time];
- *     may be negative
- * @param rest  coordinate at which the spring is free of effort [length or radian]
+ *     may be negative, usually 0
+ * @param rest  coordinate at which the spring is free of effort, usually 0 [length or radian]
  * @param force  the force's id; may be NULL if it is not wanted; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
  *     PDN_ERR_NOT_AVAILABLE
@@ -5386,7 +5391,7 @@ pdn_status pdn_model_add_spring_damper(struct pdn_model *model,
  * @param stiffness_count  number of powers of the coordinate, from the first
  * @param damping  array of length [damping_count], copied; may be NULL if there are none
  * @param damping_count  number of powers of its rate, from the first
- * @param rest  coordinate at which the spring is free of effort [length or radian]
+ * @param rest  coordinate at which the spring is free of effort, usually 0 [length or radian]
  * @param force  the force's id; may be NULL if it is not wanted; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
  *     PDN_ERR_NOT_AVAILABLE
@@ -5480,7 +5485,7 @@ pdn_status pdn_model_add_viscoelastic(struct pdn_model *model,
  * @param second  id of the second node, or PDN_GROUND; not the same body
  * @param frame  the frame, where it is in the reference configuration; NULL for the second node's
  *     own
- * @param matrix  array of length 36: 6 x 6, symmetric and positive semi-definite [force * time /
+ * @param matrix  array of shape 6 x 6: symmetric and positive semi-definite [force * time /
  *     length, force * time, force * length * time]
  * @param force  the force's id; may be NULL if it is not wanted; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
@@ -5516,9 +5521,9 @@ pdn_status pdn_model_add_viscous_damper(struct pdn_model *model,
  * @param first_frame  frame fixed to the first body, where it is in the reference configuration;
  *     not NULL
  * @param second_frame  frame fixed to the second body, likewise; not NULL
- * @param stiffness  array of length 36: 6 x 6 [force / length, force, force * length]; with
+ * @param stiffness  array of shape 6 x 6: stiffness [force / length, force, force * length]; with
  *     PDN_ANGLES_TILT_AND_SPIN its last column is zero
- * @param damping  array of length 36: 6 x 6 [the same times time]
+ * @param damping  array of shape 6 x 6: damping [the same times time]
  * @param angles  PDN_ANGLES_ROTATION_VECTOR or PDN_ANGLES_TILT_AND_SPIN
  * @param force  the force's id; may be NULL if it is not wanted; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
@@ -5654,11 +5659,13 @@ pdn_status pdn_model_check_tangents(const struct pdn_model *model,
  * @param input_joints  array of length [input_count]: ids of the joints of the coordinates that
  *     are read; may be NULL if there are none
  * @param input_coordinates  array of length [input_count]: PDN_DISPLACEMENT ... PDN_ROTATION_3 of
- *     each, one that the joint has; each coordinate of a joint at most once; may be NULL likewise
+ *     each, one that the joint has; each coordinate of a joint at most once; may be NULL if
+ *     there are none
  * @param input_count  number of coordinates that are read
  * @param output_joints  array of length [output_count]: ids of the joints of the coordinates that
  *     it acts on
- * @param output_coordinates  array of length [output_count]: the coordinate of each, likewise
+ * @param output_coordinates  array of length [output_count]: PDN_DISPLACEMENT ... PDN_ROTATION_3
+ *     of each, as for what is read
  * @param output_count  number of coordinates that it acts on, at least 1
  * @param initial  array of length [state_count]: the states where a march begins; NULL for zero
  * @param sizes  array of length [state_count]: what each state is of the order of, positive, by
@@ -6134,7 +6141,7 @@ pdn_status pdn_solution_history(const struct pdn_solution *solution,
  *
  * @param solution  the solution; not NULL
  * @param amplitudes  array of length [count], harmonics 0, 1, ..., (N - 1) / 2
- * @param count  (N + 1) / 2, for N grid points
+ * @param count  (pdn_diagnostics.grid_points + 1) / 2
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_OVERFLOW
  *
  * Threads: like `const`.
@@ -6261,7 +6268,7 @@ pdn_status pdn_solution_sample(const struct pdn_solution *solution,
  * @param rate  array of length C: growth per unit of time, of what gains turns; may be NULL
  * @param cosines  array of shape C x [harmonics], components of each harmonic together; may be
  *     NULL
- * @param sines  as cosines; may be NULL
+ * @param sines  array of shape C x [harmonics], components of each harmonic together; may be NULL
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID,
  *     PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (of a trajectory; the quaternion of a node that makes
  *     an odd number of turns), PDN_ERR_OVERFLOW
@@ -6733,7 +6740,7 @@ pdn_status pdn_equations_compliance(struct pdn_equations *equations,
  * @param equations  the equations; not NULL
  * @param increment  array of length [count]
  * @param count  pdn_equations_sizes.size
- * @param step  the fraction
+ * @param step  the fraction, usually 1
  * @return PDN_OK; PDN_ERR_NULL and PDN_ERR_VALUE (a handle in use), on this rank alone;
  *     PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_NOT_AVAILABLE (not linearised), PDN_ERR_CALLBACK
  *
@@ -6774,7 +6781,7 @@ pdn_status pdn_equations_norms(const struct pdn_equations *equations,
  * for. By all ranks.
  *
  * @param equations  the equations; not NULL
- * @param root  the rank that gets the solution, which takes its memory there; -1 for all
+ * @param root  the rank that gets the solution, which takes its memory there; usually -1, for all
  * @param outcome  how your solve ended: PDN_CONVERGED, ...
  * @param out  the solution, NULL on ranks that get none; free it with ::pdn_solution_free; written
  *     on success only
@@ -7175,7 +7182,7 @@ pdn_status pdn_model_inertia_count(const struct pdn_model *model,
  * @param model  the model; not NULL
  * @param inertia  id of the inertia
  * @param node  the node's id; written on success only
- * @param matrix  array of length 36: 6 x 6 inertia about the node, along its axes, as in
+ * @param matrix  array of shape 6 x 6: inertia about the node, along its axes, as in
  *     ::pdn_model_add_inertia; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
  *
@@ -7520,8 +7527,8 @@ pdn_status pdn_conditions_add_translation_phase(struct pdn_conditions *condition
  * @param feature  PDN_FEATURE_MEAN, PDN_FEATURE_COSINE, PDN_FEATURE_SINE or PDN_FEATURE_VALUE
  * @param at  the number of the harmonic, from 1, or the time; not looked at for the mean
  * @param value  the value
- * @param scale  what counts as 1 in it, such as the largest that it may be; 0 for what does in
- *     such quantities of the mechanism
+ * @param scale  what counts as 1 in it, such as the largest that it may be; usually 0, for what
+ *     does in such quantities of the mechanism
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID,
  *     PDN_ERR_VALUE; that the model has no such quantity, or the grid no such harmonic, is told by
  *     the solve
@@ -7691,7 +7698,8 @@ void pdn_sensitivities_free(struct pdn_sensitivities *sensitivities);
  * @param quantity  one component of a quantity, initialised by PDN_INIT; not NULL
  * @param feature  PDN_FEATURE_MEAN, PDN_FEATURE_COSINE, PDN_FEATURE_SINE, PDN_FEATURE_VALUE,
  *     PDN_FEATURE_LARGEST or PDN_FEATURE_SMALLEST
- * @param at  the number of the harmonic, from 1, or the time; not looked at for all else
+ * @param at  the number of the harmonic, from 1, or the time; usually 0 for all else, where it is
+ *     not looked at
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID,
  *     PDN_ERR_VALUE
  *
@@ -8328,8 +8336,8 @@ pdn_status pdn_modes_get(const struct pdn_modes *modes,
  * @param mode  number of the mode, from 0
  * @param nodes  array of length [count]: ids of the nodes
  * @param count  number of nodes
- * @param real  array of length [6 x count]: real part, components fastest
- * @param imaginary  array of length [6 x count]: imaginary part; may be NULL
+ * @param real  array of shape 6 x [count]: real part, components fastest
+ * @param imaginary  array of shape 6 x [count]: imaginary part; may be NULL
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_SIZE
  *
  * Threads: like `const`.
@@ -8680,12 +8688,25 @@ pdn_status pdn_stability_get(const struct pdn_stability *stability,
                              struct pdn_multiplier *out);
 
 /**
+ * Number of times of the shapes of modes.
+ *
+ * @param stability  the multipliers; not NULL
+ * @param out  the number; written on success only
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_stability_time_count(const struct pdn_stability *stability,
+                                    size_t *out);
+
+/**
  * Times of the shapes of modes: ends of equal steps over the period, the last is the period.
  *
  * @param stability  the multipliers; not NULL
- * @param times  array of length [count]; may be NULL if count is 0
- * @param count  number of times to be written, no more than there are
- * @param steps  the number of times that there are; may be NULL; written on success only
+ * @param times  array of length [count]
+ * @param count  their number, as ::pdn_stability_time_count tells
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE
  *
  * Threads: like `const`.
@@ -8694,8 +8715,7 @@ pdn_status pdn_stability_get(const struct pdn_stability *stability,
 PDN_API
 pdn_status pdn_stability_times(const struct pdn_stability *stability,
                                double *times,
-                               size_t count,
-                               size_t *steps);
+                               size_t count);
 
 /**
  * The mode phi of a multiplier at a node over the period.
@@ -8707,9 +8727,9 @@ pdn_status pdn_stability_times(const struct pdn_stability *stability,
  * @param stability  the multipliers; not NULL
  * @param number  number of the multiplier, from 0
  * @param node  id of the node
- * @param steps  number of times, as ::pdn_stability_times tells
- * @param real  array of length [6 x steps]: real part, components fastest
- * @param imaginary  array of length [6 x steps]: imaginary part; may be NULL
+ * @param steps  number of times, as ::pdn_stability_time_count tells
+ * @param real  array of shape 6 x [steps]: real part, components fastest
+ * @param imaginary  array of shape 6 x [steps]: imaginary part; may be NULL
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_SIZE
  *
  * Threads: like `const`.
@@ -8754,7 +8774,8 @@ size_t pdn_stability_report(const struct pdn_stability *stability,
  * @param times  array of length [count]: times wanted, anywhere
  * @param count  number of times
  * @param position  array of shape 3 x [count]; may be NULL
- * @param rotation  array of shape 9 x [count], each matrix column by column; may be NULL
+ * @param rotation  array of shape 9 x [count], each matrix column by column; may
+ *     be NULL
  * @param velocity  array of shape 6 x [count]: linear and angular velocity along the moving axes;
  *     may be NULL
  * @param acceleration  array of shape 6 x [count]: time derivative of velocity; may be NULL
@@ -8790,8 +8811,10 @@ pdn_status pdn_motion_interpolate(double period,
  * @param velocity  array of shape 6 x [points]: linear and angular velocity along the moving axes;
  *     may be NULL
  * @param acceleration  array of shape 6 x [points]: time derivative of velocity; may be NULL
- * @param velocity_tangent  matrix of 6 N x 6 N, column-major; may be NULL
- * @param acceleration_tangent  matrix of 6 N x 6 N, column-major; may be NULL
+ * @param velocity_tangent  array of shape [6 * points] x [6 * points]: derivatives of
+ *     velocity by u, column by column; may be NULL
+ * @param acceleration_tangent  array of shape [6 * points] x [6 * points]: derivatives of
+ *     acceleration by u, column by column; may be NULL
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_VALUE
  *
  * Threads: any.

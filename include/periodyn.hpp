@@ -34,6 +34,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -556,7 +557,7 @@ enum class BranchEvent : std::int32_t {
 enum class Verdict : std::int32_t {
     /** Verdict on stability: it cannot be told, as multipliers are on the unit circle or not known
      * well enough. */
-    not_known = PDN_STABILITY_NOT_KNOWN,
+    stability_not_known = PDN_STABILITY_NOT_KNOWN,
     /** Verdict on stability: disturbances die away, but for those that only move the solution in
      * time or space. */
     stable = PDN_STABLE,
@@ -595,184 +596,6 @@ class error : public std::runtime_error
   private:
     pdn_status status_;
 };
-
-/** How functions of the library are called. */
-namespace detail
-{
-
-/** What a callback threw on this thread, on its way to the call that failed by it, or that progress
- * cancelled by it. */
-inline thread_local std::exception_ptr carried, cancelling;
-
-/** The text that a function with a buffer writes. */
-template <class Write> std::string text(Write write)
-{
-    std::string text(write(nullptr, 0), '\0');
-    if (!text.empty()) {
-        text.resize(write(text.data(), text.size() + 1));
-    }
-    return text;
-}
-
-/** Throws what a failed call has to say. */
-inline void check(pdn_status status)
-{
-    const std::exception_ptr thrown = std::exchange(carried, nullptr);
-    const std::exception_ptr from_progress = std::exchange(cancelling, nullptr);
-    if (from_progress) {
-        std::rethrow_exception(from_progress);
-    }
-    if (status == PDN_ERR_CALLBACK && thrown) {
-        std::rethrow_exception(thrown);
-    }
-    if (status < 0) {
-        throw error(status, text(pdn_last_error));
-    }
-}
-
-/** Runs a function of the caller: 0, or 1 after it threw. */
-template <class Function> std::int32_t guarded(Function &&function) noexcept
-{
-    try {
-        function();
-        return 0;
-    } catch (const std::exception &exception) {
-        carried = std::current_exception();
-        pdn_set_callback_error(exception.what());
-    } catch (...) {
-        carried = std::current_exception();
-    }
-    return 1;
-}
-
-/** Disposes of a Function that the library owns. */
-template <class Function> void destroy(void *function) noexcept
-{
-    delete static_cast<Function *>(function);
-}
-
-/** Hands a Function over to the library, for the time the call succeeds. */
-template <class Function, class Call> void hand_over(Function function, Call call)
-{
-    auto owned = std::make_unique<Function>(std::move(function));
-    check(call(owned.get(), &destroy<Function>));
-    owned.release();
-}
-
-/** A struct with its defaults. */
-template <class T> T initialised(void (*initialise)(T *, std::size_t))
-{
-    T made;
-    initialise(&made, sizeof made);
-    return made;
-}
-
-/** Throws if an array has another number of entries than it must have. */
-inline void check_size(const std::string &name, std::size_t expected, std::size_t got)
-{
-    if (got != expected) {
-        throw error(PDN_ERR_SIZE, name + ": expected " + std::to_string(expected) +
-                                      " entries, got " + std::to_string(got));
-    }
-}
-
-/** The length that arrays have in common; those that may be left out may also be empty. */
-inline std::size_t
-common(std::initializer_list<std::pair<const char *, std::size_t>> arrays, bool may_be_empty)
-{
-    std::size_t length = 0;
-    for (const auto &[name, size] : arrays) {
-        length = std::max(length, size);
-    }
-    for (const auto &[name, size] : arrays) {
-        check_size(name, may_be_empty && size == 0 ? 0 : length, size);
-    }
-    return length;
-}
-
-/** Entries of fixed size as the plain numbers that they are. */
-template <std::size_t C> const double *flat(const Series<C> &series)
-{
-    return reinterpret_cast<const double *>(series.data());
-}
-template <std::size_t C> double *flat(Series<C> &series)
-{
-    return reinterpret_cast<double *>(series.data());
-}
-
-/** The same of options about all nodes, or NULL if there are none; of as many as there must be. */
-template <std::size_t C>
-const double *flat(const Series<C> &series, std::size_t nodes, std::size_t points, const char *name)
-{
-    if (series.empty() || nodes == 0) {
-        return nullptr;
-    }
-    check_size(std::string("options.") + name, nodes * points, series.size());
-    return flat(series);
-}
-
-/** @name What C++ has, as the library takes it */
-///@{
-template <class Choice, class = std::enable_if_t<!std::is_class_v<Choice>>>
-constexpr std::int32_t in(Choice enumerator_or_bool)
-{
-    return static_cast<std::int32_t>(enumerator_or_bool);
-}
-inline const char *in(const std::string &text)
-{
-    return text.c_str();
-}
-template <std::size_t N> const double *in(const std::array<double, N> &array)
-{
-    return array.data();
-}
-template <class T> const T *in(const std::vector<T> &array)
-{
-    static constexpr T nothing{}; // so that none is no NULL
-    return array.empty() ? &nothing : array.data();
-}
-template <std::size_t C> const double *in(const Series<C> &series)
-{
-    return flat(series);
-}
-template <class T> auto in(const std::optional<T> &value) -> decltype(in(*value))
-{
-    return value ? in(*value) : nullptr;
-}
-/** The handle of an object that may be left out, but not moved from. */
-template <class T> auto in(const T *object, const char *name) -> decltype(object->get())
-{
-    if (object != nullptr && object->get() == nullptr) {
-        throw error(PDN_ERR_NULL,
-                    std::string(name) + ": expected an object, got one that was moved from");
-    }
-    return object == nullptr ? nullptr : object->get();
-}
-template <class T> const T *in_or_null(const std::vector<T> &array)
-{
-    return array.empty() ? nullptr : array.data();
-}
-/** What is converted one by one, and there until the call has ended. */
-template <class T> struct Converted : std::vector<T> {
-    operator const T *() const
-    {
-        return this->data();
-    }
-};
-inline Converted<std::int32_t> in(const std::vector<Coordinate> &coordinates)
-{
-    Converted<std::int32_t> codes;
-    for (const Coordinate coordinate : coordinates) {
-        codes.push_back(in(coordinate));
-    }
-    return codes;
-}
-///@}
-
-/** Functions of signals that the library may still call, kept by models and solutions. */
-using Kept = std::vector<std::shared_ptr<const void>>;
-
-} // namespace detail
 
 /** An effort on a joint coordinate, with its derivatives. */
 struct Effort {
@@ -824,8 +647,172 @@ template <class T, std::size_t N> class Entries
     std::array<std::size_t, N> extents_;
 };
 
+/** How functions of the library are called. */
 namespace detail
 {
+
+/** What a callback threw on this thread, on its way to the call that failed by it, or that progress
+ * cancelled by it. */
+inline thread_local std::exception_ptr carried, cancelling;
+
+/** The text that a function with a buffer writes. */
+template <class Write> std::string text(Write write)
+{
+    std::string text(write(nullptr, 0), '\0');
+    text.resize(write(text.data(), text.size() + 1));
+    return text;
+}
+
+/** Throws what a failed call has to say. */
+inline void check(pdn_status status)
+{
+    const std::exception_ptr thrown = std::exchange(carried, nullptr);
+    const std::exception_ptr from_progress = std::exchange(cancelling, nullptr);
+    if (from_progress) {
+        std::rethrow_exception(from_progress);
+    }
+    if (status == PDN_ERR_CALLBACK && thrown) {
+        std::rethrow_exception(thrown);
+    }
+    if (status < 0) {
+        throw error(status, text(pdn_last_error));
+    }
+}
+
+/** What a function of the caller tells, or 1 after it threw. */
+template <class Function>
+std::int32_t guarded(std::exception_ptr &thrown, Function function) noexcept
+{
+    try {
+        return function();
+    } catch (const std::exception &exception) {
+        thrown = std::current_exception();
+        pdn_set_callback_error(exception.what());
+    } catch (...) {
+        thrown = std::current_exception();
+    }
+    return 1;
+}
+
+/** Disposes of a Function that the library owns. */
+template <class Function> void destroy(void *function) noexcept
+{
+    delete static_cast<Function *>(function);
+}
+
+/** Hands a Function over to the library, for the time the call succeeds. */
+template <class Call, class Function> void hand_over(Call call, Function function)
+{
+    auto owned = std::make_unique<Function>(std::move(function));
+    check(call(owned.get(), &destroy<Function>));
+    owned.release();
+}
+
+/** A struct with its defaults. */
+template <class T> T initialised(void (*initialise)(T *, std::size_t))
+{
+    T made;
+    initialise(&made, sizeof made);
+    return made;
+}
+
+/** Throws if an array has another number of entries than it must have. */
+inline void check_size(const std::string &name, std::size_t expected, std::size_t got,
+                       const char *of = "entries")
+{
+    if (got != expected) {
+        throw error(PDN_ERR_SIZE, name + ": expected " + std::to_string(expected) + " " + of +
+                                      ", got " + std::to_string(got));
+    }
+}
+
+/** The length that arrays have in common; those that may be left out may also be empty. */
+inline std::size_t
+common(std::initializer_list<std::pair<const char *, std::size_t>> arrays, bool may_be_empty)
+{
+    std::size_t length = 0;
+    for (const auto &[name, size] : arrays) {
+        length = std::max(length, size);
+    }
+    for (const auto &[name, size] : arrays) {
+        check_size(name, may_be_empty && size == 0 ? 0 : length, size);
+    }
+    return length;
+}
+
+/** Entries of fixed size as the plain numbers that they are. */
+template <class Arrays> auto flat(Arrays &arrays) -> decltype(arrays.front().data())
+{
+    return arrays.empty() ? nullptr : arrays.front().data();
+}
+
+/** The same of options about all nodes, or NULL if there are none; of as many as there must be. */
+template <std::size_t C>
+const double *flat(const Series<C> &series, std::size_t nodes, std::size_t points, const char *name)
+{
+    if (series.empty() || nodes == 0) {
+        return nullptr;
+    }
+    check_size(std::string("options.") + name, nodes * points, series.size());
+    return flat(series);
+}
+
+/** @name What C++ has, as the library takes it */
+///@{
+template <class Choice, class = std::enable_if_t<!std::is_class_v<Choice>>>
+constexpr std::int32_t in(Choice enumerator_or_bool)
+{
+    return static_cast<std::int32_t>(enumerator_or_bool);
+}
+template <class Fixed> auto in(const Fixed &text_or_array) -> decltype(text_or_array.data())
+{
+    return text_or_array.data();
+}
+template <class T> const T *in(const std::vector<T> &array)
+{
+    static constexpr T nothing{}; // so that none is no NULL
+    return array.empty() ? &nothing : array.data();
+}
+template <std::size_t C> const double *in(const Series<C> &series)
+{
+    return flat(series);
+}
+template <class T> auto in(const std::optional<T> &value) -> decltype(in(*value))
+{
+    return value ? in(*value) : nullptr;
+}
+/** The handle of an object that may be left out, but not moved from. */
+template <class T> auto in(const T *object, const char *name) -> decltype(object->get())
+{
+    if (object != nullptr && object->get() == nullptr) {
+        throw error(PDN_ERR_NULL,
+                    std::string(name) + ": expected an object, got one that was moved from");
+    }
+    return object == nullptr ? nullptr : object->get();
+}
+template <class T> const T *in_or_null(const std::vector<T> &array)
+{
+    return array.empty() ? nullptr : array.data();
+}
+/** What is converted one by one, and there until the call has ended. */
+template <class T> struct Converted : std::vector<T> {
+    operator const T *() const
+    {
+        return this->data();
+    }
+};
+inline Converted<std::int32_t> in(const std::vector<Coordinate> &coordinates)
+{
+    Converted<std::int32_t> codes;
+    for (const Coordinate coordinate : coordinates) {
+        codes.push_back(in(coordinate));
+    }
+    return codes;
+}
+///@}
+
+/** Functions of signals that the library may still call, kept by models and solutions. */
+using Kept = std::vector<std::shared_ptr<const void>>;
 
 /** Whether a law gives derivatives. */
 template <class Law>
@@ -858,17 +845,6 @@ inline void write(const Effort &given, double *effort, double *derivatives)
     }
 }
 ///@}
-
-/** Whether progress cancels, by what it says or throws. */
-template <class Tell> std::int32_t cancelled(Tell tell) noexcept
-{
-    try {
-        return tell() ? 0 : 1;
-    } catch (...) {
-        cancelling = std::current_exception();
-        return 1;
-    }
-}
 
 } // namespace detail
 
@@ -1005,8 +981,9 @@ namespace detail
 template <class Function>
 std::int32_t signal_fn(double time, double *value, void *function) noexcept
 {
-    return guarded([=] {
+    return guarded(carried, [=] {
         write((*static_cast<Function *>(function))(time), value);
+        return 0;
     });
 }
 
@@ -1014,8 +991,9 @@ std::int32_t signal_fn(double time, double *value, void *function) noexcept
 template <class Function>
 std::int32_t curve_fn(double fraction, double *position, double *axis_2, void *function) noexcept
 {
-    return guarded([=] {
+    return guarded(carried, [=] {
         write((*static_cast<Function *>(function))(fraction), position, axis_2);
+        return 0;
     });
 }
 
@@ -1023,8 +1001,9 @@ std::int32_t curve_fn(double fraction, double *position, double *axis_2, void *f
 template <class Function>
 std::int32_t surface_fn(double u, double v, double *position, void *function) noexcept
 {
-    return guarded([=] {
+    return guarded(carried, [=] {
         write((*static_cast<Function *>(function))(u, v), position);
+        return 0;
     });
 }
 
@@ -1033,8 +1012,9 @@ template <class Function>
 std::int32_t coordinate_law_fn(double time, double coordinate, double rate, double *effort,
     double *derivatives, void *function) noexcept
 {
-    return guarded([=] {
+    return guarded(carried, [=] {
         write((*static_cast<Function *>(function))(time, coordinate, rate), effort, derivatives);
+        return 0;
     });
 }
 
@@ -1043,9 +1023,10 @@ template <class Function>
 std::int32_t user_force_fn(const pdn_force_state *state, pdn_force_values *values,
     void *function) noexcept
 {
-    return guarded([=] {
+    return guarded(carried, [=] {
         ForceValues out{*state, *values};
         (*static_cast<Function *>(function))(ForceState{*state}, out);
+        return 0;
     });
 }
 
@@ -1054,9 +1035,10 @@ template <class Function>
 std::int32_t controller_fn(const pdn_controller_state *state, pdn_controller_values *values,
     void *function) noexcept
 {
-    return guarded([=] {
+    return guarded(carried, [=] {
         ControllerValues out{*state, *values};
         (*static_cast<Function *>(function))(ControllerState{*state}, out);
+        return 0;
     });
 }
 
@@ -1066,9 +1048,10 @@ template <class Function>
 std::int32_t surface_force_fn(const pdn_surface_state *state, pdn_surface_values *values,
     void *function) noexcept
 {
-    return guarded([=] {
+    return guarded(carried, [=] {
         SurfaceValues out{*state, *values};
         (*static_cast<Function *>(function))(SurfaceState{*state}, out);
+        return 0;
     });
 }
 
@@ -1077,8 +1060,8 @@ std::int32_t surface_force_fn(const pdn_surface_state *state, pdn_surface_values
 template <class Function>
 std::int32_t progress_fn(const pdn_progress *progress, void *function) noexcept
 {
-    return cancelled([=] {
-        return (*static_cast<Function *>(function))(*progress);
+    return guarded(cancelling, [=] {
+        return !(*static_cast<Function *>(function))(*progress);
     });
 }
 
@@ -1086,8 +1069,8 @@ std::int32_t progress_fn(const pdn_progress *progress, void *function) noexcept
 template <class Function>
 std::int32_t branch_fn(const pdn_branch_point *point, int32_t number, void *function) noexcept
 {
-    return cancelled([=] {
-        return (*static_cast<Function *>(function))(*point, number);
+    return guarded(cancelling, [=] {
+        return !(*static_cast<Function *>(function))(*point, number);
     });
 }
 
@@ -1109,16 +1092,15 @@ struct Signal : pdn_signal {
         return *this;
     }
     /** Makes a signal of harmonics, mean and rate. */
-    Signal &set_harmonics(double mean_ = 0.0, double rate_ = 0.0,
-        std::vector<double> cosines_ = {}, std::vector<double> sines_ = {})
+    Signal &set_harmonics(double mean_ = 0.0, double rate_ = 0.0, std::vector<double> cosines_ = {},
+        std::vector<double> sines_ = {})
     {
         const std::size_t count = detail::common({{"cosines", cosines_.size()},
             {"sines", sines_.size()}}, true);
-        auto owned = std::make_shared<std::array<std::vector<double>, 2>>();
-        (*owned)[0] = std::move(cosines_);
-        (*owned)[1] = std::move(sines_);
-        detail::check(pdn_signal_set_harmonics(this, mean_, rate_, (*owned)[0].data(),
-            (*owned)[1].data(), count));
+        auto owned = std::make_shared<std::tuple<std::vector<double>,
+            std::vector<double>>>(std::move(cosines_), std::move(sines_));
+        detail::check(pdn_signal_set_harmonics(this, mean_, rate_, std::get<0>(*owned).data(),
+            std::get<1>(*owned).data(), count));
         kept = std::move(owned);
         return *this;
     }
@@ -1127,9 +1109,8 @@ struct Signal : pdn_signal {
     Signal &set_samples(std::vector<double> samples_, double rate_ = 0.0)
     {
         const std::size_t count = samples_.size();
-        auto owned = std::make_shared<std::array<std::vector<double>, 1>>();
-        (*owned)[0] = std::move(samples_);
-        detail::check(pdn_signal_set_samples(this, rate_, (*owned)[0].data(), count));
+        auto owned = std::make_shared<std::tuple<std::vector<double>>>(std::move(samples_));
+        detail::check(pdn_signal_set_samples(this, rate_, std::get<0>(*owned).data(), count));
         kept = std::move(owned);
         return *this;
     }
@@ -1314,7 +1295,7 @@ struct ShellPlacement : pdn_shell_placement {
     /** PDN_SHELL_NORMALS, PDN_SHELL_PARALLEL, PDN_SHELL_NODE_AXES or PDN_SHELL_NODE_FRAMES. */
     ShellFrames frames = static_cast<ShellFrames>(pdn_shell_placement::frames);
     /** As the library takes it, valid while this object stays as it is. */
-    const pdn_shell_placement *get()
+    const pdn_shell_placement *get([[maybe_unused]] std::size_t nodes = 0)
     {
         pdn_shell_placement::frames = detail::in(frames);
         return this;
@@ -1340,7 +1321,7 @@ struct Stations : pdn_stations {
      * no jumps. */
     std::vector<double> twists;
     /** As the library takes it, valid while this object stays as it is. */
-    const pdn_stations *get()
+    const pdn_stations *get([[maybe_unused]] std::size_t nodes = 0)
     {
         pdn_stations::fractions = detail::in_or_null(fractions);
         pdn_stations::sections = detail::in_or_null(sections);
@@ -1352,9 +1333,8 @@ struct Stations : pdn_stations {
     // END
 
     /** One section for all of the beam. */
-    Stations(const Section &section) : Stations()
+    Stations(const Section &section) : Stations({}, {section})
     {
-        sections.push_back(section);
     }
     /** At fractions of the span; with structural twist if there are as many angles. */
     Stations(std::vector<double> at, std::vector<Section> of, std::vector<double> twisted = {})
@@ -1440,16 +1420,14 @@ struct Quantity : pdn_quantity {
     }
     // END
 
-    /** Of a node, joint, beam element, shell element, force or relation. */
-    Quantity(Kind of_kind, std::int32_t of_object) : Quantity()
+    /** Of a node, joint, beam element, shell element, force or relation; of a joint also for one
+     * coordinate: it, its rate or acceleration, or what drives it. */
+    Quantity(Kind of_kind, std::int32_t of_object, std::optional<Coordinate> coordinate = {})
+        : Quantity()
     {
         kind = detail::in(of_kind);
         object = of_object;
-    }
-    /** A coordinate of a joint, its rate or acceleration, or what drives it. */
-    Quantity(Kind of_kind, std::int32_t joint, Coordinate coordinate) : Quantity(of_kind, joint)
-    {
-        component = detail::in(coordinate);
+        component = coordinate ? detail::in(*coordinate) : component;
     }
 };
 static_assert(sizeof(Quantity) == sizeof(pdn_quantity) && sizeof(Section) == sizeof(pdn_section),
@@ -1471,10 +1449,7 @@ inline Converted<pdn_signal> in(const std::vector<std::array<Signal, 6>> &places
 template <std::size_t C>
 Series<C> as_series(const std::vector<double> &numbers, std::size_t components)
 {
-    if (components != C) {
-        throw error(PDN_ERR_SIZE, "quantity: expected one of " + std::to_string(C) +
-                                      " components, got " + std::to_string(components));
-    }
+    check_size("quantity", C, components, "components");
     Series<C> series(numbers.size() / C);
     std::copy(numbers.begin(), numbers.end(), flat(series));
     return series;
@@ -1500,12 +1475,6 @@ template <class T, void (*free)(T *)> class Handle
     }
 
   protected:
-    /** The text that a function of the handle writes. */
-    template <class Write> std::string text_of(const char *name, Write write) const
-    {
-        in(this, name);
-        return text(write);
-    }
     /** A call that takes signals: functions among them are kept, as all else is copied. */
     template <class Call, class... Signals> void take(Call call, const Signals &...signals)
     {
@@ -1542,34 +1511,21 @@ template <class T, void (*free)(T *)> class Handle
 } // namespace detail
 
 // WRITTEN BY script/cpp_interface: classes
-/** What is differentiated, by what. */
-class Sensitivities : public detail::Handle<pdn_sensitivities, pdn_sensitivities_free>
-{
-  public:
-    using Handle::Handle;
-    /** Makes an empty list: nothing is differentiated. */
-    Sensitivities() : Handle(nullptr, {})
+/** Options of ::pdn_solve_stability. */
+struct StabilityOptions : pdn_stability_options {
+    /** With its defaults. */
+    StabilityOptions()
+        : pdn_stability_options(detail::initialised(pdn_stability_options_init))
     {
-        pdn_sensitivities *out = nullptr;
-        detail::check(pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR));
-        const pdn_status status = pdn_sensitivities_new(&out);
-        *this = Sensitivities(out, {});
-        detail::check(status);
     }
-    /** Adds a dependent: the mean, a harmonic, the value at a time, or a peak of a quantity. */
-    void add_quantity(const Quantity &quantity, Feature feature, double at = 0.0)
+    /** Told about ten times a second that work goes on; may cancel. */
+    Progress progress;
+    /** As the library takes it, valid while this object stays as it is. */
+    const pdn_stability_options *get([[maybe_unused]] std::size_t nodes = 0)
     {
-        detail::check(pdn_sensitivities_add_quantity(get(), &quantity, detail::in(feature), at));
-    }
-    /** Adds a dependent: the value of a free parameter, which conditions determine. */
-    void add_found(std::int32_t parameter)
-    {
-        detail::check(pdn_sensitivities_add_found(get(), parameter));
-    }
-    /** Adds a parameter that all is differentiated by. */
-    void add_parameter(std::int32_t parameter)
-    {
-        detail::check(pdn_sensitivities_add_parameter(get(), parameter));
+        pdn_stability_options::progress = progress ? &detail::progress_fn<Progress> : nullptr;
+        pdn_stability_options::progress_data = &progress;
+        return this;
     }
 };
 
@@ -1642,122 +1598,6 @@ class Conditions : public detail::Handle<pdn_conditions, pdn_conditions_free>
     {
         detail::check(pdn_conditions_add_angular_momentum(get(), detail::in(axis),
             detail::in(point), momentum));
-    }
-};
-
-/** Options of ::pdn_solution_sensitivities. */
-struct SensitivityOptions : pdn_sensitivity_options {
-    /** With its defaults. */
-    SensitivityOptions()
-        : pdn_sensitivity_options(detail::initialised(pdn_sensitivity_options_init))
-    {
-    }
-    /** PDN_SENSITIVITY_AUTOMATIC, the default, PDN_SENSITIVITY_DIRECT or
-     * PDN_SENSITIVITY_ADJOINT. */
-    SensitivityMethod method = static_cast<SensitivityMethod>(pdn_sensitivity_options::method);
-    /** How linear equations are solved: PDN_LINEAR_AUTOMATIC, ... Default PDN_LINEAR_AUTOMATIC. */
-    Linear linear_solver = static_cast<Linear>(pdn_sensitivity_options::linear_solver);
-    /** As the library takes it, valid while this object stays as it is. */
-    const pdn_sensitivity_options *get()
-    {
-        pdn_sensitivity_options::method = detail::in(method);
-        pdn_sensitivity_options::linear_solver = detail::in(linear_solver);
-        return this;
-    }
-};
-
-/** What stability_verdict gives. */
-struct StabilityVerdict {
-    /** PDN_STABLE, PDN_UNSTABLE or PDN_STABILITY_NOT_KNOWN. */
-    Verdict verdict;
-    /** Angular frequency of modes up to which the verdict holds; infinite if all multipliers are
-     * known. */
-    double frequency_limit;
-};
-
-/** What stability_count gives. */
-struct StabilityCount {
-    /** The number that are known. */
-    std::size_t count;
-    /** The number that the system has. */
-    std::size_t states;
-};
-
-/** What stability_shape gives. */
-struct StabilityShape {
-    /** Real part, components fastest. */
-    Series<6> real;
-    /** Imaginary part. */
-    Series<6> imaginary;
-};
-
-/** Floquet multipliers of a periodic solution. */
-class Stability : public detail::Handle<pdn_stability, pdn_stability_free>
-{
-  public:
-    using Handle::Handle;
-    /** How the analysis ended. */
-    Outcome outcome() const
-    {
-        const std::int32_t told = pdn_stability_outcome(get());
-        detail::check(told);
-        return static_cast<Outcome>(told);
-    }
-    /** Whether it converged. */
-    bool converged() const
-    {
-        return outcome() == Outcome::converged;
-    }
-    /** What the multipliers say. */
-    StabilityVerdict verdict() const
-    {
-        std::int32_t verdict = 0;
-        double frequency_limit = 0;
-        detail::check(pdn_stability_verdict(get(), &verdict, &frequency_limit));
-        return {static_cast<Verdict>(verdict), frequency_limit};
-    }
-    /** Number of multipliers that are known, and of those that the system has, one for each
-     * state. */
-    StabilityCount count() const
-    {
-        std::size_t out = 0;
-        std::size_t states = 0;
-        detail::check(pdn_stability_count(get(), &out, &states));
-        return {out, states};
-    }
-    /** A multiplier. */
-    pdn_multiplier multiplier(std::int32_t number) const
-    {
-        pdn_multiplier out = detail::initialised(pdn_multiplier_init);
-        detail::check(pdn_stability_get(get(), number, &out));
-        return out;
-    }
-    /** Times of the shapes of modes: ends of equal steps over the period, the last is the
-     * period. */
-    std::vector<double> times() const
-    {
-        std::size_t count = 0;
-        detail::check(pdn_stability_times(get(), nullptr, 0, &count));
-        std::vector<double> times(count);
-        detail::check(pdn_stability_times(get(), times.data(), count, nullptr));
-        return times;
-    }
-    /** The mode phi of a multiplier at a node over the period. */
-    StabilityShape shape(std::int32_t number, std::int32_t node) const
-    {
-        const std::size_t steps = times().size();
-        Series<6> real(steps);
-        Series<6> imaginary(steps);
-        detail::check(pdn_stability_shape(get(), number, node, steps, detail::flat(real),
-            detail::flat(imaginary)));
-        return {std::move(real), std::move(imaginary)};
-    }
-    /** A readable report: the verdict, how far it holds, and a table of the multipliers. */
-    std::string report() const
-    {
-        return text_of("stability", [&](char *buffer, std::size_t capacity) {
-            return pdn_stability_report(get(), buffer, capacity);
-        });
     }
 };
 
@@ -1856,7 +1696,7 @@ struct ModelBeamSection {
 struct ModelInertia {
     /** The node's id. */
     std::int32_t node;
-    /** 6 x 6 inertia about the node, along its axes, as in ::pdn_model_add_inertia. */
+    /** Inertia about the node, along its axes, as in ::pdn_model_add_inertia. */
     Matrix6 matrix;
 };
 
@@ -1981,8 +1821,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     std::int32_t add_rigid_body(double mass, const Vector3 &centre, const Matrix3 &inertia)
     {
         std::int32_t node = 0;
-        detail::check(pdn_model_add_rigid_body(get(), mass, detail::in(centre),
-            detail::in(inertia), &node));
+        detail::check(pdn_model_add_rigid_body(get(), mass, detail::in(centre), detail::in(inertia),
+            &node));
         return node;
     }
     /** Fixes a mass to a node, in addition to what the node has. */
@@ -1990,8 +1830,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         const std::optional<Matrix3> &inertia = {})
     {
         std::int32_t id = 0;
-        detail::check(pdn_model_add_mass(get(), node, mass, detail::in(centre),
-            detail::in(inertia), &id));
+        detail::check(pdn_model_add_mass(get(), node, mass, detail::in(centre), detail::in(inertia),
+            &id));
         return id;
     }
     /** Fixes an inertia of any kind to a node, in addition to what the node has. */
@@ -2051,8 +1891,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         const Vector3 &axis, double pitch)
     {
         std::int32_t joint = 0;
-        detail::check(pdn_model_add_screw(get(), first, second, detail::in(point),
-            detail::in(axis), pitch, &joint));
+        detail::check(pdn_model_add_screw(get(), first, second, detail::in(point), detail::in(axis),
+            pitch, &joint));
         return joint;
     }
     /** Joins two bodies by a pair of planes that slide and turn on each other. */
@@ -2110,8 +1950,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         const pdn_frame &first_frame, const pdn_frame &second_frame, double pitch)
     {
         std::int32_t joint = 0;
-        detail::check(pdn_model_add_screw_between(get(), first, second, &first_frame,
-            &second_frame, pitch, &joint));
+        detail::check(pdn_model_add_screw_between(get(), first, second, &first_frame, &second_frame,
+            pitch, &joint));
         return joint;
     }
     /** Number of linear relations between joint coordinates; their ids follow each other from
@@ -2166,10 +2006,10 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     pdn_beam add_beam_between(const Line &line, Stations stations,
         const std::vector<double> &boundaries, std::size_t degree)
     {
-        const std::size_t elements = boundaries.size() == 0 ? 0 : boundaries.size() - 1;
+        const std::size_t count = boundaries.size();
         pdn_beam beam{};
         detail::check(pdn_model_add_beam_between(get(), &line, stations.get(),
-            detail::in(boundaries), elements, degree, &beam));
+            detail::in(boundaries), count, degree, &beam));
         return beam;
     }
     /** Adds one component of a force or moment on a node, in addition to those that are there. */
@@ -2193,8 +2033,7 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         const std::optional<Signal> &acceleration_3 = {})
     {
         take([&] {
-            return pdn_model_set_gravity_signals(get(),
-                acceleration_1 ? &*acceleration_1 : nullptr,
+            return pdn_model_set_gravity_signals(get(), acceleration_1 ? &*acceleration_1 : nullptr,
                 acceleration_2 ? &*acceleration_2 : nullptr,
                 acceleration_3 ? &*acceleration_3 : nullptr);
         }, acceleration_1, acceleration_2, acceleration_3);
@@ -2209,8 +2048,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
             {"factors", factors.size()}}, true);
         std::int32_t load = 0;
         take([&] {
-            return pdn_model_add_distributed_load(get(), first_element, elements,
-                detail::in(frame), detail::in(component), &signal, detail::in_or_null(fractions),
+            return pdn_model_add_distributed_load(get(), first_element, elements, detail::in(frame),
+                detail::in(component), &signal, detail::in_or_null(fractions),
                 detail::in_or_null(factors), count, &load);
         }, signal);
         return load;
@@ -2351,8 +2190,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     }
     /** Adds one component of a force or moment on shell elements, in addition to those that are
      * there: for each unit of reference area, or of reference length of an edge. */
-    std::int32_t add_shell_load(std::int32_t first_element, std::int32_t elements,
-        ShellPlace place, Frame frame, Component component, const Signal &signal)
+    std::int32_t add_shell_load(std::int32_t first_element, std::int32_t elements, ShellPlace place,
+        Frame frame, Component component, const Signal &signal)
     {
         std::int32_t load = 0;
         take([&] {
@@ -2386,8 +2225,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     {
         std::int32_t first_joint_ = 0;
         std::int32_t joints = 0;
-        detail::check(pdn_model_add_rigid_edge(get(), body, &shell, detail::in(edge),
-            &first_joint_, &joints));
+        detail::check(pdn_model_add_rigid_edge(get(), body, &shell, detail::in(edge), &first_joint_,
+            &joints));
         return {first_joint_, joints};
     }
     /** Number of forces: springs, dampers, actuators and the like, but not loads; their ids follow
@@ -2469,11 +2308,11 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     std::int32_t add_coordinate_law(std::int32_t joint, Coordinate coordinate, Function function)
     {
         std::int32_t force = 0;
-        detail::hand_over(std::move(function), [&](void *owned, pdn_destroy_fn destroy) {
+        detail::hand_over([&](void *owned, pdn_destroy_fn destroy) {
             return pdn_model_add_coordinate_law(get(), joint, detail::in(coordinate),
                 detail::in(detail::tangents_of<Function>), &detail::coordinate_law_fn<Function>,
                 owned, destroy, &force);
-        });
+        }, std::move(function));
         return force;
     }
     /** Adds forces on nodes that a function of the caller computes. */
@@ -2483,10 +2322,10 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     {
         const std::size_t count = nodes.size();
         std::int32_t force = 0;
-        detail::hand_over(std::move(function), [&](void *owned, pdn_destroy_fn destroy) {
+        detail::hand_over([&](void *owned, pdn_destroy_fn destroy) {
             return pdn_model_add_user_force(get(), detail::in(nodes), count, detail::in(frame),
                 detail::in(tangents), &detail::user_force_fn<Function>, owned, destroy, &force);
-        });
+        }, std::move(function));
         return force;
     }
     /** Compares the tangents that a user's function gives with differences of its forces. */
@@ -2512,13 +2351,13 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         const std::size_t state_count = detail::common({{"initial", initial.size()},
             {"sizes", sizes.size()}}, true);
         std::int32_t force = 0;
-        detail::hand_over(std::move(function), [&](void *owned, pdn_destroy_fn destroy) {
+        detail::hand_over([&](void *owned, pdn_destroy_fn destroy) {
             return pdn_model_add_controller(get(), detail::in_or_null(input_joints),
                 detail::in(input_coordinates), input_count, detail::in(output_joints),
                 detail::in(output_coordinates), output_count, detail::in_or_null(initial),
                 detail::in_or_null(sizes), state_count, detail::in(tangents),
                 &detail::controller_fn<Function>, owned, destroy, &force);
-        });
+        }, std::move(function));
         return force;
     }
     /** Numbers of the coordinates that a controller reads, of those that it acts on, and of its
@@ -2555,11 +2394,11 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         ShellPlace place, Frame frame, Tangents tangents, Function function)
     {
         std::int32_t first_force_ = 0;
-        detail::hand_over(std::move(function), [&](void *owned, pdn_destroy_fn destroy) {
+        detail::hand_over([&](void *owned, pdn_destroy_fn destroy) {
             return pdn_model_add_surface_force(get(), first_element, elements, detail::in(place),
-                detail::in(frame), detail::in(tangents), &detail::surface_force_fn<Function>,
-                owned, destroy, &first_force_);
-        });
+                detail::in(frame), detail::in(tangents), &detail::surface_force_fn<Function>, owned,
+                destroy, &first_force_);
+        }, std::move(function));
         return first_force_;
     }
     /** Gives a controller its function, or another one: that of a model from a file is not
@@ -2567,30 +2406,30 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     template <class Function>
     void bind_controller(std::int32_t force, Tangents tangents, Function function)
     {
-        detail::hand_over(std::move(function), [&](void *owned, pdn_destroy_fn destroy) {
+        detail::hand_over([&](void *owned, pdn_destroy_fn destroy) {
             return pdn_model_bind_controller(get(), force, detail::in(tangents),
                 &detail::controller_fn<Function>, owned, destroy);
-        });
+        }, std::move(function));
     }
     /** Gives a coordinate law its function, or another one: that of a model from a file is not
      * there. */
     template <class Function>
     void bind_coordinate_law(std::int32_t force, Tangents tangents, Function function)
     {
-        detail::hand_over(std::move(function), [&](void *owned, pdn_destroy_fn destroy) {
+        detail::hand_over([&](void *owned, pdn_destroy_fn destroy) {
             return pdn_model_bind_coordinate_law(get(), force, detail::in(tangents),
                 &detail::coordinate_law_fn<Function>, owned, destroy);
-        });
+        }, std::move(function));
     }
     /** Gives forces on nodes their function, or another one: that of a model from a file is not
      * there. */
     template <class Function>
     void bind_user_force(std::int32_t force, Frame frame, Tangents tangents, Function function)
     {
-        detail::hand_over(std::move(function), [&](void *owned, pdn_destroy_fn destroy) {
+        detail::hand_over([&](void *owned, pdn_destroy_fn destroy) {
             return pdn_model_bind_user_force(get(), force, detail::in(frame), detail::in(tangents),
                 &detail::user_force_fn<Function>, owned, destroy);
-        });
+        }, std::move(function));
     }
     /** Gives forces on shell elements their function, or another one: that of a model from a file
      * is not there. */
@@ -2598,10 +2437,10 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     void bind_surface_force(std::int32_t first_force_, std::int32_t forces, Frame frame,
         Tangents tangents, Function function)
     {
-        detail::hand_over(std::move(function), [&](void *owned, pdn_destroy_fn destroy) {
+        detail::hand_over([&](void *owned, pdn_destroy_fn destroy) {
             return pdn_model_bind_surface_force(get(), first_force_, forces, detail::in(frame),
                 detail::in(tangents), &detail::surface_force_fn<Function>, owned, destroy);
-        });
+        }, std::move(function));
     }
     /** Gives what follows a signal another one: a load, an actuator, a prescribed coordinate. */
     void set_signal(SignalOf place, std::int32_t id, std::int32_t component, const Signal &signal)
@@ -2633,7 +2472,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     /** The label of a node, joint, element, force, load or the like. */
     std::string label(ObjectKind kind, std::int32_t id) const
     {
-        return text_of("model", [&](char *buffer, std::size_t capacity) {
+        detail::in(this, "model");
+        return detail::text([&](char *buffer, std::size_t capacity) {
             return pdn_model_label(get(), detail::in(kind), id, buffer, capacity);
         });
     }
@@ -2670,7 +2510,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     /** The name of a parameter. */
     std::string parameter_name(std::int32_t parameter) const
     {
-        return text_of("model", [&](char *buffer, std::size_t capacity) {
+        detail::in(this, "model");
+        return detail::text([&](char *buffer, std::size_t capacity) {
             return pdn_model_parameter_name(get(), parameter, buffer, capacity);
         });
     }
@@ -2899,7 +2740,7 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     std::string describe() const
     {
         summary();
-        return text_of("model", [&](char *buffer, std::size_t capacity) {
+        return detail::text([&](char *buffer, std::size_t capacity) {
             return pdn_model_describe(get(), buffer, capacity);
         });
     }
@@ -2925,6 +2766,160 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         Model made(out, {});
         detail::check(status);
         return made;
+    }
+};
+
+/** What is differentiated, by what. */
+class Sensitivities : public detail::Handle<pdn_sensitivities, pdn_sensitivities_free>
+{
+  public:
+    using Handle::Handle;
+    /** Makes an empty list: nothing is differentiated. */
+    Sensitivities() : Handle(nullptr, {})
+    {
+        pdn_sensitivities *out = nullptr;
+        detail::check(pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR));
+        const pdn_status status = pdn_sensitivities_new(&out);
+        *this = Sensitivities(out, {});
+        detail::check(status);
+    }
+    /** Adds a dependent: the mean, a harmonic, the value at a time, or a peak of a quantity. */
+    void add_quantity(const Quantity &quantity, Feature feature, double at = 0.0)
+    {
+        detail::check(pdn_sensitivities_add_quantity(get(), &quantity, detail::in(feature), at));
+    }
+    /** Adds a dependent: the value of a free parameter, which conditions determine. */
+    void add_found(std::int32_t parameter)
+    {
+        detail::check(pdn_sensitivities_add_found(get(), parameter));
+    }
+    /** Adds a parameter that all is differentiated by. */
+    void add_parameter(std::int32_t parameter)
+    {
+        detail::check(pdn_sensitivities_add_parameter(get(), parameter));
+    }
+};
+
+/** Options of ::pdn_solution_sensitivities. */
+struct SensitivityOptions : pdn_sensitivity_options {
+    /** With its defaults. */
+    SensitivityOptions()
+        : pdn_sensitivity_options(detail::initialised(pdn_sensitivity_options_init))
+    {
+    }
+    /** PDN_SENSITIVITY_AUTOMATIC, the default, PDN_SENSITIVITY_DIRECT or
+     * PDN_SENSITIVITY_ADJOINT. */
+    SensitivityMethod method = static_cast<SensitivityMethod>(pdn_sensitivity_options::method);
+    /** How linear equations are solved: PDN_LINEAR_AUTOMATIC, ... Default PDN_LINEAR_AUTOMATIC. */
+    Linear linear_solver = static_cast<Linear>(pdn_sensitivity_options::linear_solver);
+    /** As the library takes it, valid while this object stays as it is. */
+    const pdn_sensitivity_options *get([[maybe_unused]] std::size_t nodes = 0)
+    {
+        pdn_sensitivity_options::method = detail::in(method);
+        pdn_sensitivity_options::linear_solver = detail::in(linear_solver);
+        return this;
+    }
+};
+
+/** What stability_verdict gives. */
+struct StabilityVerdict {
+    /** PDN_STABLE, PDN_UNSTABLE or PDN_STABILITY_NOT_KNOWN. */
+    Verdict verdict;
+    /** Angular frequency of modes up to which the verdict holds; infinite if all multipliers are
+     * known. */
+    double frequency_limit;
+};
+
+/** What stability_count gives. */
+struct StabilityCount {
+    /** The number that are known. */
+    std::size_t count;
+    /** The number that the system has. */
+    std::size_t states;
+};
+
+/** What stability_shape gives. */
+struct StabilityShape {
+    /** Real part, components fastest. */
+    Series<6> real;
+    /** Imaginary part. */
+    Series<6> imaginary;
+};
+
+/** Floquet multipliers of a periodic solution. */
+class Stability : public detail::Handle<pdn_stability, pdn_stability_free>
+{
+  public:
+    using Handle::Handle;
+    /** How the analysis ended. */
+    Outcome outcome() const
+    {
+        const std::int32_t told = pdn_stability_outcome(get());
+        detail::check(told);
+        return static_cast<Outcome>(told);
+    }
+    /** Whether it converged. */
+    bool converged() const
+    {
+        return outcome() == Outcome::converged;
+    }
+    /** What the multipliers say. */
+    StabilityVerdict verdict() const
+    {
+        std::int32_t verdict = 0;
+        double frequency_limit = 0;
+        detail::check(pdn_stability_verdict(get(), &verdict, &frequency_limit));
+        return {static_cast<Verdict>(verdict), frequency_limit};
+    }
+    /** Number of multipliers that are known, and of those that the system has, one for each
+     * state. */
+    StabilityCount count() const
+    {
+        std::size_t out = 0;
+        std::size_t states = 0;
+        detail::check(pdn_stability_count(get(), &out, &states));
+        return {out, states};
+    }
+    /** A multiplier. */
+    pdn_multiplier multiplier(std::int32_t number) const
+    {
+        pdn_multiplier out = detail::initialised(pdn_multiplier_init);
+        detail::check(pdn_stability_get(get(), number, &out));
+        return out;
+    }
+    /** Number of times of the shapes of modes. */
+    std::size_t time_count() const
+    {
+        std::size_t out = 0;
+        detail::check(pdn_stability_time_count(get(), &out));
+        return out;
+    }
+    /** Times of the shapes of modes: ends of equal steps over the period, the last is the
+     * period. */
+    std::vector<double> times() const
+    {
+        const std::size_t count = time_count();
+        std::vector<double> times(count);
+        detail::check(pdn_stability_times(get(), times.data(), count));
+        return times;
+    }
+    /** The mode phi of a multiplier at a node over the period. */
+    StabilityShape shape(std::int32_t number, std::int32_t node) const
+    {
+        const std::size_t steps = time_count();
+        Series<6> real(steps);
+        Series<6> imaginary(steps);
+        detail::check(pdn_stability_shape(get(), number, node, steps, detail::flat(real),
+            detail::flat(imaginary)));
+        return {std::move(real), std::move(imaginary)};
+    }
+    /** A readable report: the verdict, how far it holds, and a table of the multipliers. */
+    std::string report() const
+    {
+        detail::in(this, "stability");
+        return detail::text([&](char *buffer, std::size_t capacity) {
+            return pdn_stability_report(get(), buffer, capacity);
+        });
     }
 };
 
@@ -3008,7 +3003,8 @@ class Solution : public detail::Handle<pdn_solution, pdn_solution_free>
     /** A readable report: outcome and why, iterations, error estimates, time spent. */
     std::string report() const
     {
-        return text_of("solution", [&](char *buffer, std::size_t capacity) {
+        detail::in(this, "solution");
+        return detail::text([&](char *buffer, std::size_t capacity) {
             return pdn_solution_report(get(), buffer, capacity);
         });
     }
@@ -3027,15 +3023,15 @@ class Solution : public detail::Handle<pdn_solution, pdn_solution_free>
         std::vector<double> residuals(count);
         std::vector<double> increments(count);
         std::vector<double> steps(count);
-        detail::check(pdn_solution_history(get(), residuals.data(), increments.data(),
-            steps.data(), count));
+        detail::check(pdn_solution_history(get(), residuals.data(), increments.data(), steps.data(),
+            count));
         return {std::move(residuals), std::move(increments), std::move(steps)};
     }
     /** Decay of the harmonics: largest amplitude of each over all nodes, of positions relative to
      * the size of the mechanism and of entries of rotation matrices. */
     std::vector<double> decay() const
     {
-        const std::size_t count = (diagnostics().grid_points + 1) / 2;
+        const std::size_t count = static_cast<std::size_t>((diagnostics().grid_points + 1) / 2);
         std::vector<double> amplitudes(count);
         detail::check(pdn_solution_decay(get(), amplitudes.data(), count));
         return amplitudes;
@@ -3087,8 +3083,8 @@ class Solution : public detail::Handle<pdn_solution, pdn_solution_free>
      * jwt. */
     SolutionHarmonics harmonics(const Quantity &quantity, std::size_t harmonics) const
     {
-        detail::check(pdn_solution_harmonics(get(), &quantity, harmonics, nullptr, nullptr,
-            nullptr, nullptr));
+        detail::check(pdn_solution_harmonics(get(), &quantity, harmonics, nullptr, nullptr, nullptr,
+            nullptr));
         std::vector<double> mean(quantity.components());
         std::vector<double> rate(quantity.components());
         std::vector<double> cosines(harmonics *quantity.components());
@@ -3143,8 +3139,8 @@ class Solution : public detail::Handle<pdn_solution, pdn_solution_free>
         std::vector<double> re(parameters);
         std::vector<double> im(parameters);
         detail::check(pdn_solution_multiplier_sensitivities(get(), sensitivities.get(),
-            stability.get(), number, detail::in(conditions, "conditions"), options.get(),
-            re.data(), im.data(), parameters));
+            stability.get(), number, detail::in(conditions, "conditions"), options.get(), re.data(),
+            im.data(), parameters));
         return {std::move(re), std::move(im)};
     }
     /** Figures of a march: steps, periods, how much the last of them differ, how much the start was
@@ -3209,24 +3205,6 @@ class Solution : public detail::Handle<pdn_solution, pdn_solution_free>
     }
 };
 
-/** Options of ::pdn_solve_stability. */
-struct StabilityOptions : pdn_stability_options {
-    /** With its defaults. */
-    StabilityOptions()
-        : pdn_stability_options(detail::initialised(pdn_stability_options_init))
-    {
-    }
-    /** Told about ten times a second that work goes on; may cancel. */
-    Progress progress;
-    /** As the library takes it, valid while this object stays as it is. */
-    const pdn_stability_options *get()
-    {
-        pdn_stability_options::progress = progress ? &detail::progress_fn<Progress> : nullptr;
-        pdn_stability_options::progress_data = &progress;
-        return this;
-    }
-};
-
 /** Periodic motions along a parameter. */
 class Branch : public detail::Handle<pdn_branch, pdn_branch_free>
 {
@@ -3256,7 +3234,8 @@ class Branch : public detail::Handle<pdn_branch, pdn_branch_free>
     /** A readable report: points, events, and why the branch ended. */
     std::string report() const
     {
-        return text_of("branch", [&](char *buffer, std::size_t capacity) {
+        detail::in(this, "branch");
+        return detail::text([&](char *buffer, std::size_t capacity) {
             return pdn_branch_report(get(), buffer, capacity);
         });
     }
@@ -3305,6 +3284,190 @@ class Branch : public detail::Handle<pdn_branch, pdn_branch_free>
     }
 };
 
+/** What modes_count gives. */
+struct ModesCount {
+    /** The number. */
+    std::int32_t count;
+    /** 1 if the wanted number was found, or all that there are, else 0. */
+    bool complete;
+};
+
+/** What modes_shape gives. */
+struct ModesShape {
+    /** Real part, components fastest. */
+    Series<6> real;
+    /** Imaginary part. */
+    Series<6> imaginary;
+};
+
+/** An equilibrium and the modes about it. */
+class Modes : public detail::Handle<pdn_modes, pdn_modes_free>
+{
+  public:
+    using Handle::Handle;
+    /** How the search for the equilibrium ended. */
+    Outcome outcome() const
+    {
+        const std::int32_t told = pdn_modes_outcome(get());
+        detail::check(told);
+        return static_cast<Outcome>(told);
+    }
+    /** Whether it converged. */
+    bool converged() const
+    {
+        return outcome() == Outcome::converged;
+    }
+    /** A readable report: outcome of the equilibrium and why, and a table of the modes. */
+    std::string report() const
+    {
+        detail::in(this, "modes");
+        return detail::text([&](char *buffer, std::size_t capacity) {
+            return pdn_modes_report(get(), buffer, capacity);
+        });
+    }
+    /** Number of modes: as many as were wanted, if there are and they were found. */
+    ModesCount count() const
+    {
+        std::int32_t out = 0;
+        std::int32_t complete = 0;
+        detail::check(pdn_modes_count(get(), &out, &complete));
+        return {out, complete != 0};
+    }
+    /** Eigenvalue, frequency and damping of a mode. */
+    pdn_mode mode(std::int32_t mode) const
+    {
+        pdn_mode out = detail::initialised(pdn_mode_init);
+        detail::check(pdn_modes_get(get(), mode, &out));
+        return out;
+    }
+    /** Shape x of a mode at some nodes. */
+    ModesShape shape(std::int32_t mode, const std::vector<std::int32_t> &nodes) const
+    {
+        const std::size_t count = nodes.size();
+        Series<6> real(count);
+        Series<6> imaginary(count);
+        detail::check(pdn_modes_shape(get(), mode, detail::in(nodes), count, detail::flat(real),
+            detail::flat(imaginary)));
+        return {std::move(real), std::move(imaginary)};
+    }
+    /** The motion in a mode, to be looked at as any other solution. */
+    Solution motion(std::int32_t mode, double amplitude) const
+    {
+        pdn_solution *out = nullptr;
+        const pdn_status status = pdn_modes_motion(get(), mode, amplitude, &out);
+        Solution made(out, kept());
+        detail::check(status);
+        return made;
+    }
+    /** The equilibrium, as ::pdn_solve_static gives it, converged or not. */
+    Solution equilibrium() const
+    {
+        pdn_solution *out = nullptr;
+        const pdn_status status = pdn_modes_equilibrium(get(), &out);
+        Solution made(out, kept());
+        detail::check(status);
+        return made;
+    }
+};
+
+/** Columns of numbers over the same times. */
+class Table : public detail::Handle<pdn_table, pdn_table_free>
+{
+  public:
+    using Handle::Handle;
+    /** Adds the columns of a quantity of a solution, named by the label and the component; or that
+     * of one component, named by the label alone. */
+    void add_quantity(const Solution &solution, const Quantity &quantity,
+        const std::optional<std::string> &label = {})
+    {
+        detail::check(pdn_table_add_quantity(get(), solution.get(), &quantity, detail::in(label)));
+    }
+    /** A table over these times, to choose columns for and to write as CSV. */
+    explicit Table(const std::vector<double> &times) : Handle(nullptr, {})
+    {
+        const std::size_t count = times.size();
+        pdn_table *out = nullptr;
+        detail::check(pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR));
+        const pdn_status status = pdn_table_new(detail::in(times), count, &out);
+        *this = Table(out, {});
+        detail::check(status);
+    }
+    /** Adds a column of values of your own, such as one computed from several quantities. */
+    void add_values(const std::string &label, const std::vector<double> &values)
+    {
+        const std::size_t count = values.size();
+        detail::check(pdn_table_add_values(get(), detail::in(label), detail::in(values), count));
+    }
+    /** Writes a table as a CSV file: a line of names, then a line for each time. */
+    void write_csv(const std::string &path) const
+    {
+        detail::check(pdn_table_write_csv(get(), detail::in(path)));
+    }
+};
+
+/** Options of ::pdn_solve_periodic. */
+struct PeriodicOptions : pdn_periodic_options {
+    /** With its defaults. */
+    PeriodicOptions()
+        : pdn_periodic_options(detail::initialised(pdn_periodic_options_init))
+    {
+    }
+    /** Start from this solution, periodic or static, also on another grid or of another period, or
+     * from the last period of this march. Its model is to have the same bodies, joints, forces and
+     * prescribed coordinates, and the same beams, which may have other meshes. If grid_points is 0,
+     * the first grid is that of this solution. */
+    const Solution *initial = nullptr;
+    /** Start from these positions, an array of shape 3 x [N] x [nodes]: coordinates fastest, then
+     * grid points, then nodes. Needs guess_rotations, and grid_points or harmonics. */
+    Series<3> guess_positions;
+    /** Rotation matrices of the same start, an array of shape 9 x [N] x [nodes], each column by
+     * column. */
+    Series<9> guess_rotations;
+    /** Told of each iteration, and while one lasts, see progress_interval; may cancel. */
+    Progress progress;
+    /** How linear equations are solved: PDN_LINEAR_AUTOMATIC, PDN_LINEAR_DIRECT, ... Default
+     * PDN_LINEAR_AUTOMATIC. */
+    Linear linear_solver = static_cast<Linear>(pdn_periodic_options::linear_solver);
+    /** Where the library starts, unless a start is given: PDN_START_AUTOMATIC, or one way alone:
+     * PDN_START_QUASI_STATIC, ... PDN_START_STEADY_ROTATION and PDN_START_RIGID_ROTATION need a
+     * drive that turns. Default PDN_START_AUTOMATIC. */
+    Start start = static_cast<Start>(pdn_periodic_options::start);
+    /** Where the points of grids are: PDN_TIME_MAP_AUTOMATIC, PDN_TIME_MAP_EQUISPACED or
+     * PDN_TIME_MAP_EVENTS. By PDN_TIME_MAP_AUTOMATIC, a given number of points is equispaced, and a
+     * solve to a tolerance that starts from a solution goes on with the map of that. Default
+     * PDN_TIME_MAP_EQUISPACED. */
+    TimeMap time_map = static_cast<TimeMap>(pdn_periodic_options::time_map);
+    /** Times of the events, which repeat themselves every period: an array of length
+     * [event_count]. */
+    std::vector<double> event_times;
+    /** Times from there to where the additional density of grid points is half as large, about as
+     * long as the events last, from 1e-5 to half the period: an array of length [event_count]. */
+    std::vector<double> event_widths;
+    /** Grid points that are there for each, beside those spread equally over the period, which
+     * count as 1; above 0, at most 100: an array of length [event_count]. */
+    std::vector<double> event_shares;
+    /** As the library takes it, valid while this object stays as it is. */
+    const pdn_periodic_options *get([[maybe_unused]] std::size_t nodes = 0)
+    {
+        pdn_periodic_options::initial = detail::in(initial, "options.initial");
+        pdn_periodic_options::guess_positions = detail::flat(guess_positions, nodes,
+            harmonics != 0 ? 2 * harmonics + 1 : grid_points, "guess_positions");
+        pdn_periodic_options::guess_rotations = detail::flat(guess_rotations, nodes,
+            harmonics != 0 ? 2 * harmonics + 1 : grid_points, "guess_rotations");
+        pdn_periodic_options::progress = progress ? &detail::progress_fn<Progress> : nullptr;
+        pdn_periodic_options::progress_data = &progress;
+        pdn_periodic_options::linear_solver = detail::in(linear_solver);
+        pdn_periodic_options::start = detail::in(start);
+        pdn_periodic_options::time_map = detail::in(time_map);
+        pdn_periodic_options::event_times = detail::in_or_null(event_times);
+        pdn_periodic_options::event_widths = detail::in_or_null(event_widths);
+        pdn_periodic_options::event_shares = detail::in_or_null(event_shares);
+        pdn_periodic_options::event_count = detail::common({{"event_times", event_times.size()},
+            {"event_widths", event_widths.size()}, {"event_shares", event_shares.size()}}, true);
+        return this;
+    }
+};
+
 /** Options of ::pdn_equations_new. */
 struct EquationsOptions : pdn_equations_options {
     /** With its defaults. */
@@ -3321,12 +3484,114 @@ struct EquationsOptions : pdn_equations_options {
      * otherwise. Default PDN_LINEAR_AUTOMATIC. */
     Linear preconditioner = static_cast<Linear>(pdn_equations_options::preconditioner);
     /** As the library takes it, valid while this object stays as it is. */
-    const pdn_equations_options *get()
+    const pdn_equations_options *get([[maybe_unused]] std::size_t nodes = 0)
     {
         pdn_equations_options::initial = detail::in(initial, "options.initial");
         pdn_equations_options::owners = detail::in_or_null(owners);
         pdn_equations_options::preconditioner = detail::in(preconditioner);
         pdn_equations_options::owner_count = detail::common({{"owners", owners.size()}}, true);
+        return this;
+    }
+};
+
+/** Options of ::pdn_solve_static. */
+struct StaticOptions : pdn_static_options {
+    /** With its defaults. */
+    StaticOptions()
+        : pdn_static_options(detail::initialised(pdn_static_options_init))
+    {
+    }
+    /** Start from this solution, at `time`, of a model with the same nodes and joints. */
+    const Solution *initial = nullptr;
+    /** Told of each iteration, and about ten times a second while one lasts; may cancel. */
+    Progress progress;
+    /** As the library takes it, valid while this object stays as it is. */
+    const pdn_static_options *get([[maybe_unused]] std::size_t nodes = 0)
+    {
+        pdn_static_options::initial = detail::in(initial, "options.initial");
+        pdn_static_options::progress = progress ? &detail::progress_fn<Progress> : nullptr;
+        pdn_static_options::progress_data = &progress;
+        return this;
+    }
+};
+
+/** Options of ::pdn_solve_march. */
+struct MarchOptions : pdn_march_options {
+    /** With its defaults. */
+    MarchOptions()
+        : pdn_march_options(detail::initialised(pdn_march_options_init))
+    {
+    }
+    /** Start from this solution of a model with the same nodes and joints, at start_time: an
+     * equilibrium, a periodic motion or another march. */
+    const Solution *initial = nullptr;
+    /** Start from these positions, an array of shape 3 x [nodes]. Needs rotations. */
+    Series<3> positions;
+    /** Rotation matrices of the same start, an array of shape 9 x [nodes], each column by
+     * column. */
+    Series<9> rotations;
+    /** Velocities of the same start, an array of shape 6 x [nodes]: velocity of each node and its
+     * angular velocity, inertial frame. */
+    Series<6> velocities;
+    /** Told of each step, and about ten times a second while one lasts; may cancel. */
+    Progress progress;
+    /** As the library takes it, valid while this object stays as it is. */
+    const pdn_march_options *get([[maybe_unused]] std::size_t nodes = 0)
+    {
+        pdn_march_options::initial = detail::in(initial, "options.initial");
+        pdn_march_options::positions = detail::flat(positions, nodes, 1, "positions");
+        pdn_march_options::rotations = detail::flat(rotations, nodes, 1, "rotations");
+        pdn_march_options::velocities = detail::flat(velocities, nodes, 1, "velocities");
+        pdn_march_options::progress = progress ? &detail::progress_fn<Progress> : nullptr;
+        pdn_march_options::progress_data = &progress;
+        return this;
+    }
+};
+
+/** Options of ::pdn_solve_shooting. */
+struct ShootingOptions : pdn_shooting_options {
+    /** With its defaults. */
+    ShootingOptions()
+        : pdn_shooting_options(detail::initialised(pdn_shooting_options_init))
+    {
+    }
+    /** Start the march from this solution of a model with the same nodes and joints, at its time 0
+     * or, of a march, at its first time. */
+    const Solution *initial = nullptr;
+    /** Told of each period of the guess and of each iteration, and about ten times a second while
+     * one lasts; may cancel. */
+    Progress progress;
+    /** As the library takes it, valid while this object stays as it is. */
+    const pdn_shooting_options *get([[maybe_unused]] std::size_t nodes = 0)
+    {
+        pdn_shooting_options::initial = detail::in(initial, "options.initial");
+        pdn_shooting_options::progress = progress ? &detail::progress_fn<Progress> : nullptr;
+        pdn_shooting_options::progress_data = &progress;
+        return this;
+    }
+};
+
+/** Options of ::pdn_follow_branch. */
+struct BranchOptions : pdn_branch_options {
+    /** With its defaults. */
+    BranchOptions()
+        : pdn_branch_options(detail::initialised(pdn_branch_options_init))
+    {
+    }
+    /** Grid, tolerance and linear solver, where the first solve starts, and who is told of the
+     * iterations. */
+    PeriodicOptions periodic;
+    /** What else is free along the branch, and as many conditions. */
+    const Conditions *conditions = nullptr;
+    /** Told of each point; may end the branch. */
+    BranchProgress progress;
+    /** As the library takes it, valid while this object stays as it is. */
+    const pdn_branch_options *get([[maybe_unused]] std::size_t nodes = 0)
+    {
+        pdn_branch_options::periodic = periodic.get(nodes);
+        pdn_branch_options::conditions = detail::in(conditions, "options.conditions");
+        pdn_branch_options::progress = progress ? &detail::branch_fn<BranchProgress> : nullptr;
+        pdn_branch_options::progress_data = &progress;
         return this;
     }
 };
@@ -3369,7 +3634,8 @@ class Equations : public detail::Handle<pdn_equations, pdn_equations_free>
     {
         pdn_equations *out = nullptr;
         detail::check(pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR));
-        const pdn_status status = pdn_equations_new(model.get(), period, options.get(), &out);
+        const pdn_status status = pdn_equations_new(model.get(), period,
+            options.get(static_cast<std::size_t>(model.node_count())), &out);
         *this = Equations(out, model.kept());
         detail::check(status);
     }
@@ -3511,234 +3777,6 @@ class Equations : public detail::Handle<pdn_equations, pdn_equations_free>
     }
 };
 
-/** What modes_count gives. */
-struct ModesCount {
-    /** The number. */
-    std::int32_t count;
-    /** 1 if the wanted number was found, or all that there are, else 0. */
-    bool complete;
-};
-
-/** What modes_shape gives. */
-struct ModesShape {
-    /** Real part, components fastest. */
-    Series<6> real;
-    /** Imaginary part. */
-    Series<6> imaginary;
-};
-
-/** An equilibrium and the modes about it. */
-class Modes : public detail::Handle<pdn_modes, pdn_modes_free>
-{
-  public:
-    using Handle::Handle;
-    /** How the search for the equilibrium ended. */
-    Outcome outcome() const
-    {
-        const std::int32_t told = pdn_modes_outcome(get());
-        detail::check(told);
-        return static_cast<Outcome>(told);
-    }
-    /** Whether it converged. */
-    bool converged() const
-    {
-        return outcome() == Outcome::converged;
-    }
-    /** A readable report: outcome of the equilibrium and why, and a table of the modes. */
-    std::string report() const
-    {
-        return text_of("modes", [&](char *buffer, std::size_t capacity) {
-            return pdn_modes_report(get(), buffer, capacity);
-        });
-    }
-    /** Number of modes: as many as were wanted, if there are and they were found. */
-    ModesCount count() const
-    {
-        std::int32_t out = 0;
-        std::int32_t complete = 0;
-        detail::check(pdn_modes_count(get(), &out, &complete));
-        return {out, complete != 0};
-    }
-    /** Eigenvalue, frequency and damping of a mode. */
-    pdn_mode mode(std::int32_t mode) const
-    {
-        pdn_mode out = detail::initialised(pdn_mode_init);
-        detail::check(pdn_modes_get(get(), mode, &out));
-        return out;
-    }
-    /** Shape x of a mode at some nodes. */
-    ModesShape shape(std::int32_t mode, const std::vector<std::int32_t> &nodes) const
-    {
-        const std::size_t count = nodes.size();
-        Series<6> real(count);
-        Series<6> imaginary(count);
-        detail::check(pdn_modes_shape(get(), mode, detail::in(nodes), count, detail::flat(real),
-            detail::flat(imaginary)));
-        return {std::move(real), std::move(imaginary)};
-    }
-    /** The motion in a mode, to be looked at as any other solution. */
-    Solution motion(std::int32_t mode, double amplitude) const
-    {
-        pdn_solution *out = nullptr;
-        const pdn_status status = pdn_modes_motion(get(), mode, amplitude, &out);
-        Solution made(out, kept());
-        detail::check(status);
-        return made;
-    }
-    /** The equilibrium, as ::pdn_solve_static gives it, converged or not. */
-    Solution equilibrium() const
-    {
-        pdn_solution *out = nullptr;
-        const pdn_status status = pdn_modes_equilibrium(get(), &out);
-        Solution made(out, kept());
-        detail::check(status);
-        return made;
-    }
-};
-
-/** Columns of numbers over the same times. */
-class Table : public detail::Handle<pdn_table, pdn_table_free>
-{
-  public:
-    using Handle::Handle;
-    /** Adds the columns of a quantity of a solution, named by the label and the component; or that
-     * of one component, named by the label alone. */
-    void add_quantity(const Solution &solution, const Quantity &quantity,
-        const std::optional<std::string> &label = {})
-    {
-        detail::check(pdn_table_add_quantity(get(), solution.get(), &quantity, detail::in(label)));
-    }
-    /** A table over these times, to choose columns for and to write as CSV. */
-    explicit Table(const std::vector<double> &times) : Handle(nullptr, {})
-    {
-        const std::size_t count = times.size();
-        pdn_table *out = nullptr;
-        detail::check(pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR));
-        const pdn_status status = pdn_table_new(detail::in(times), count, &out);
-        *this = Table(out, {});
-        detail::check(status);
-    }
-    /** Adds a column of values of your own, such as one computed from several quantities. */
-    void add_values(const std::string &label, const std::vector<double> &values)
-    {
-        const std::size_t count = values.size();
-        detail::check(pdn_table_add_values(get(), detail::in(label), detail::in(values), count));
-    }
-    /** Writes a table as a CSV file: a line of names, then a line for each time. */
-    void write_csv(const std::string &path) const
-    {
-        detail::check(pdn_table_write_csv(get(), detail::in(path)));
-    }
-};
-
-/** Options of ::pdn_solve_periodic. */
-struct PeriodicOptions : pdn_periodic_options {
-    /** With its defaults. */
-    PeriodicOptions()
-        : pdn_periodic_options(detail::initialised(pdn_periodic_options_init))
-    {
-    }
-    /** Start from this solution, periodic or static, also on another grid or of another period, or
-     * from the last period of this march. Its model is to have the same bodies, joints, forces and
-     * prescribed coordinates, and the same beams, which may have other meshes. If grid_points is 0,
-     * the first grid is that of this solution. */
-    const Solution *initial = nullptr;
-    /** Start from these positions, 3 x N x nodes: coordinates fastest, then grid points, then
-     * nodes. Needs guess_rotations, and grid_points or harmonics. */
-    Series<3> guess_positions;
-    /** Rotation matrices of the same start, 9 x N x nodes, each column by column. */
-    Series<9> guess_rotations;
-    /** Told of each iteration, and while one lasts, see progress_interval; may cancel. */
-    Progress progress;
-    /** How linear equations are solved: PDN_LINEAR_AUTOMATIC, PDN_LINEAR_DIRECT, ... Default
-     * PDN_LINEAR_AUTOMATIC. */
-    Linear linear_solver = static_cast<Linear>(pdn_periodic_options::linear_solver);
-    /** Where the library starts, unless a start is given: PDN_START_AUTOMATIC, or one way alone:
-     * PDN_START_QUASI_STATIC, ... PDN_START_STEADY_ROTATION and PDN_START_RIGID_ROTATION need a
-     * drive that turns. Default PDN_START_AUTOMATIC. */
-    Start start = static_cast<Start>(pdn_periodic_options::start);
-    /** Where the points of grids are: PDN_TIME_MAP_AUTOMATIC, PDN_TIME_MAP_EQUISPACED or
-     * PDN_TIME_MAP_EVENTS. By PDN_TIME_MAP_AUTOMATIC, a given number of points is equispaced, and a
-     * solve to a tolerance that starts from a solution goes on with the map of that. Default
-     * PDN_TIME_MAP_EQUISPACED. */
-    TimeMap time_map = static_cast<TimeMap>(pdn_periodic_options::time_map);
-    /** Times of the events, which repeat themselves every period: an array of length
-     * [event_count]. */
-    std::vector<double> event_times;
-    /** Times from there to where the additional density of grid points is half as large, about as
-     * long as the events last, from 1e-5 to half the period: an array of length [event_count]. */
-    std::vector<double> event_widths;
-    /** Grid points that are there for each, beside those spread equally over the period, which
-     * count as 1; above 0, at most 100: an array of length [event_count]. */
-    std::vector<double> event_shares;
-    /** As the library takes it, valid while this object stays as it is. */
-    const pdn_periodic_options *get(std::size_t nodes)
-    {
-        pdn_periodic_options::initial = detail::in(initial, "options.initial");
-        pdn_periodic_options::guess_positions = detail::flat(guess_positions, nodes,
-            harmonics != 0 ? 2 * harmonics + 1 : grid_points, "guess_positions");
-        pdn_periodic_options::guess_rotations = detail::flat(guess_rotations, nodes,
-            harmonics != 0 ? 2 * harmonics + 1 : grid_points, "guess_rotations");
-        pdn_periodic_options::progress = progress ? &detail::progress_fn<Progress> : nullptr;
-        pdn_periodic_options::progress_data = &progress;
-        pdn_periodic_options::linear_solver = detail::in(linear_solver);
-        pdn_periodic_options::start = detail::in(start);
-        pdn_periodic_options::time_map = detail::in(time_map);
-        pdn_periodic_options::event_times = detail::in_or_null(event_times);
-        pdn_periodic_options::event_widths = detail::in_or_null(event_widths);
-        pdn_periodic_options::event_shares = detail::in_or_null(event_shares);
-        pdn_periodic_options::event_count = detail::common({{"event_times", event_times.size()},
-            {"event_widths", event_widths.size()}, {"event_shares", event_shares.size()}}, true);
-        return this;
-    }
-};
-
-/** Options of ::pdn_follow_branch. */
-struct BranchOptions : pdn_branch_options {
-    /** With its defaults. */
-    BranchOptions()
-        : pdn_branch_options(detail::initialised(pdn_branch_options_init))
-    {
-    }
-    /** Grid, tolerance and linear solver, where the first solve starts, and who is told of the
-     * iterations. */
-    PeriodicOptions periodic;
-    /** What else is free along the branch, and as many conditions. */
-    const Conditions *conditions = nullptr;
-    /** Told of each point; may end the branch. */
-    BranchProgress progress;
-    /** As the library takes it, valid while this object stays as it is. */
-    const pdn_branch_options *get(std::size_t nodes)
-    {
-        pdn_branch_options::periodic = periodic.get(nodes);
-        pdn_branch_options::conditions = detail::in(conditions, "options.conditions");
-        pdn_branch_options::progress = progress ? &detail::branch_fn<BranchProgress> : nullptr;
-        pdn_branch_options::progress_data = &progress;
-        return this;
-    }
-};
-
-/** Options of ::pdn_solve_static. */
-struct StaticOptions : pdn_static_options {
-    /** With its defaults. */
-    StaticOptions()
-        : pdn_static_options(detail::initialised(pdn_static_options_init))
-    {
-    }
-    /** Start from this solution, at `time`, of a model with the same nodes and joints. */
-    const Solution *initial = nullptr;
-    /** Told of each iteration, and about ten times a second while one lasts; may cancel. */
-    Progress progress;
-    /** As the library takes it, valid while this object stays as it is. */
-    const pdn_static_options *get()
-    {
-        pdn_static_options::initial = detail::in(initial, "options.initial");
-        pdn_static_options::progress = progress ? &detail::progress_fn<Progress> : nullptr;
-        pdn_static_options::progress_data = &progress;
-        return this;
-    }
-};
-
 /** Options of ::pdn_solve_modes. */
 struct ModesOptions : pdn_modes_options {
     /** With its defaults. */
@@ -3750,64 +3788,9 @@ struct ModesOptions : pdn_modes_options {
      * iterations. */
     StaticOptions equilibrium;
     /** As the library takes it, valid while this object stays as it is. */
-    const pdn_modes_options *get()
+    const pdn_modes_options *get([[maybe_unused]] std::size_t nodes = 0)
     {
-        pdn_modes_options::equilibrium = equilibrium.get();
-        return this;
-    }
-};
-
-/** Options of ::pdn_solve_march. */
-struct MarchOptions : pdn_march_options {
-    /** With its defaults. */
-    MarchOptions()
-        : pdn_march_options(detail::initialised(pdn_march_options_init))
-    {
-    }
-    /** Start from this solution of a model with the same nodes and joints, at start_time: an
-     * equilibrium, a periodic motion or another march. */
-    const Solution *initial = nullptr;
-    /** Start from these positions, 3 x nodes. Needs rotations. */
-    Series<3> positions;
-    /** Rotation matrices of the same start, 9 x nodes, each column by column. */
-    Series<9> rotations;
-    /** Velocities of the same start, 6 x nodes: velocity of each node and its angular velocity,
-     * inertial frame. */
-    Series<6> velocities;
-    /** Told of each step, and about ten times a second while one lasts; may cancel. */
-    Progress progress;
-    /** As the library takes it, valid while this object stays as it is. */
-    const pdn_march_options *get(std::size_t nodes)
-    {
-        pdn_march_options::initial = detail::in(initial, "options.initial");
-        pdn_march_options::positions = detail::flat(positions, nodes, 1, "positions");
-        pdn_march_options::rotations = detail::flat(rotations, nodes, 1, "rotations");
-        pdn_march_options::velocities = detail::flat(velocities, nodes, 1, "velocities");
-        pdn_march_options::progress = progress ? &detail::progress_fn<Progress> : nullptr;
-        pdn_march_options::progress_data = &progress;
-        return this;
-    }
-};
-
-/** Options of ::pdn_solve_shooting. */
-struct ShootingOptions : pdn_shooting_options {
-    /** With its defaults. */
-    ShootingOptions()
-        : pdn_shooting_options(detail::initialised(pdn_shooting_options_init))
-    {
-    }
-    /** Start the march from this solution of a model with the same nodes and joints, at its time 0
-     * or, of a march, at its first time. */
-    const Solution *initial = nullptr;
-    /** Told of each period of the guess and of each iteration, and about ten times a second while
-     * one lasts; may cancel. */
-    Progress progress;
-    /** As the library takes it, valid while this object stays as it is. */
-    const pdn_shooting_options *get()
-    {
-        pdn_shooting_options::initial = detail::in(initial, "options.initial");
-        pdn_shooting_options::progress = progress ? &detail::progress_fn<Progress> : nullptr;
-        pdn_shooting_options::progress_data = &progress;
+        pdn_modes_options::equilibrium = equilibrium.get(nodes);
         return this;
     }
 };
@@ -3910,7 +3893,7 @@ inline Branch switch_branch(const Branch &branch, std::int32_t point, double amp
     BranchOptions options)
 {
     pdn_branch *out = nullptr;
-    const pdn_status status = pdn_switch_branch(branch.get(), point, amplitude, options.get(0),
+    const pdn_status status = pdn_switch_branch(branch.get(), point, amplitude, options.get(),
         &out);
     Branch made(out, branch.kept());
     detail::check(status);
@@ -3923,8 +3906,7 @@ inline Branch follow_locus(const Branch &branch, std::int32_t point, std::int32_
     BranchOptions options)
 {
     pdn_branch *out = nullptr;
-    const pdn_status status = pdn_follow_locus(branch.get(), point, parameter, options.get(0),
-        &out);
+    const pdn_status status = pdn_follow_locus(branch.get(), point, parameter, options.get(), &out);
     Branch made(out, branch.kept());
     detail::check(status);
     return made;
@@ -3935,7 +3917,7 @@ inline Branch follow_locus(const Branch &branch, std::int32_t point, std::int32_
 inline Branch continue_branch(const Branch &branch, BranchOptions options)
 {
     pdn_branch *out = nullptr;
-    const pdn_status status = pdn_continue_branch(branch.get(), options.get(0), &out);
+    const pdn_status status = pdn_continue_branch(branch.get(), options.get(), &out);
     Branch made(out, branch.kept());
     detail::check(status);
     return made;
@@ -3945,7 +3927,8 @@ inline Branch continue_branch(const Branch &branch, BranchOptions options)
 inline Solution solve_static(const Model &model, StaticOptions options = {})
 {
     pdn_solution *out = nullptr;
-    const pdn_status status = pdn_solve_static(model.get(), options.get(), &out);
+    const pdn_status status = pdn_solve_static(model.get(),
+        options.get(static_cast<std::size_t>(model.node_count())), &out);
     Solution made(out, model.kept());
     detail::check(status);
     return made;
@@ -3955,7 +3938,8 @@ inline Solution solve_static(const Model &model, StaticOptions options = {})
 inline Modes solve_modes(const Model &model, ModesOptions options = {})
 {
     pdn_modes *out = nullptr;
-    const pdn_status status = pdn_solve_modes(model.get(), options.get(), &out);
+    const pdn_status status = pdn_solve_modes(model.get(),
+        options.get(static_cast<std::size_t>(model.node_count())), &out);
     Modes made(out, model.kept());
     detail::check(status);
     return made;
@@ -3977,7 +3961,8 @@ inline Solution solve_march(const Model &model, MarchOptions options)
 inline Solution solve_shooting(const Model &model, double period, ShootingOptions options = {})
 {
     pdn_solution *out = nullptr;
-    const pdn_status status = pdn_solve_shooting(model.get(), period, options.get(), &out);
+    const pdn_status status = pdn_solve_shooting(model.get(), period,
+        options.get(static_cast<std::size_t>(model.node_count())), &out);
     Solution made(out, model.kept());
     detail::check(status);
     return made;
@@ -4029,9 +4014,9 @@ struct MotionGridKinematics {
     Series<6> velocity;
     /** Time derivative of velocity. */
     Series<6> acceleration;
-    /** Matrix of 6 N x 6 N, column-major. */
+    /** Derivatives of velocity by u, column by column. */
     std::vector<double> velocity_tangent;
-    /** Matrix of 6 N x 6 N, column-major. */
+    /** Derivatives of acceleration by u, column by column. */
     std::vector<double> acceleration_tangent;
 };
 

@@ -2,28 +2,13 @@
 
 import re
 import sys
+import textwrap
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 HEADER = ROOT / "include/periodyn.h"
 
-# What those who do not say it mean, in languages where parameters may be left out.
-DEFAULTS = {
-    "pdn_sensitivities_add_quantity": {"at": 0.0},
-    "pdn_conditions_add_quantity": {"scale": 0.0},
-    "pdn_shell_section_set_isotropic": {"drilling": 1.0, "drilling_gradient": 0.1},
-    "pdn_model_add_shell": {"join": 1},
-    "pdn_model_add_shell_grid": {"join": 1},
-    "pdn_signal_set_harmonics": {"mean": 0.0, "rate": 0.0},
-    "pdn_signal_set_samples": {"rate": 0.0},
-    "pdn_model_add_spring_damper": {"damping": 0.0, "rest": 0.0},
-    "pdn_model_add_nonlinear_spring_damper": {"rest": 0.0},
-    "pdn_equations_update": {"step": 1.0},
-    "pdn_equations_solution": {"root": -1},
-}
-
 DOCUMENTED = r"/\*\*((?:(?!\*/).)*?)\*/\s*"
-ARGUMENTS = r"\(([^()]*)\);"
 
 
 def class_name(c_name):
@@ -46,17 +31,24 @@ def text_of(comment):
     return re.sub(r"^\s*\* ?", "", comment, flags=re.M).strip()
 
 
+def filled(text, width, first, rest):
+    """Text in lines that begin with `first` and `rest`; a NUL is a blank where none is broken."""
+    return textwrap.fill(text, width, initial_indent=first, subsequent_indent=rest,
+                         break_long_words=False, break_on_hyphens=False).replace("\0", " ")
+
+
+def folded(line, width):
+    """A line of code, broken after commas if it is too long."""
+    pad = re.match(" *", line)[0]
+    return filled(re.sub("(?<!,) ", "\0", line[len(pad):]), width, pad, pad + "    ")
+
+
 def extents_of(said):
     """Extents of an array by what is said of it, fastest first: numbers, counts, and C for the
     components of a quantity; none if it is no array."""
-    if "matrix of 6 N x 6 N" in said:
-        return ["6 * points", "6 * points"]
-    found = re.search(r"array of (?:length|shape) (?:(\d+|C|\[\w+\]) x )?(\d+|C|\[[^\]]*\])", said)
-    first, last = [part and part.strip("[]") for part in found.groups()] if found else (None, None)
-    if not first and (last == "36" or last == "9" and re.search("symmetric|rotation matri", said)):
-        return {"36": ["6", "6"], "9": ["3", "3"]}[last]
-    inner = re.fullmatch(r"(\d+) (?:x )?(\w+)", last or "")
-    return [*inner.groups()] if inner else [e for e in (first, last) if e]
+    extent = r"(?:\d+|C|\[[^]]*\])"
+    found = re.search(rf"rray of (?:length|shape) ({extent}(?: x {extent})*)", said)
+    return re.sub(r"[][]", "", found[1]).split(" x ") if found else []
 
 
 class Header:
@@ -66,54 +58,54 @@ class Header:
         self.constants = re.findall(r"^#define (PDN_[A-Z0-9_]+) (-?\d+)$", text, re.M)
         self.opaque = re.findall(r"^typedef struct (\w+) \1;", text, re.M)
         self.structs = {
-            name: [
-                {**self.declaration(declared), "said": " ".join(text_of(said).split())}
-                for said, declared in re.findall(DOCUMENTED + r"([^;/]+);", body, re.S)
-            ]
+            name: [self.declaration(declared, " ".join(text_of(said).split()))
+                   for said, declared in re.findall(DOCUMENTED + r"([^;/]+);", body, re.S)]
             for name, body in re.findall(
                 r"^typedef struct (\w+) \{\n(.*?)^\} \1;", text, re.M | re.S)
         }
         named = r"(?:#define (PDN_\w+) -?\d+$|typedef struct (\w+)|" \
-            r"(?:PDN_API\s)?[\w ]*?[ *](pdn_\w+)\()"
+            r"(?:PDN_API\s)?[\w ]*?[ *(]+(pdn_\w+)\)?\()"
         self.docs = {
             "".join(names): text_of(said)
             for said, *names in re.findall(DOCUMENTED + named, text, re.S | re.M)
         }
-        self.callbacks = [self.prototype(*found) for found in re.findall(
-            DOCUMENTED + r"typedef (\w+) \(\*(\w+)\)" + ARGUMENTS, text, re.S)]
-        self.functions = [
-            self.prototype(doc, kind + star, name, arguments)
-            for doc, kind, star, name, arguments in re.findall(
-                DOCUMENTED + r"PDN_API\s+((?:const )?\w+) (\*?)(\w+)" + ARGUMENTS, text, re.S
-            )
-        ]
+        self.callbacks = self.prototypes(r"typedef (\w+) \(\*(\w+)\)", text)
+        self.functions = self.prototypes(r"PDN_API\s+((?:const )?\w+) \*?(\w+)", text)
         self.callback_names = {function["name"] for function in self.callbacks}
 
     @staticmethod
-    def declaration(text):
-        """Base type, number of stars, const, name, length of an array in a struct."""
+    def declaration(text, said):
+        """Base type, number of stars, const, name, length of an array in a struct; and of what is
+        said of it whether it may be NULL, the extents of an array, whether it is 0 or 1, what those
+        mean who leave it out, where a language lets them, and what tells it."""
         text = " ".join(text.split())
         const = text.startswith("const ")
         text = re.sub(r"\b(const|struct) ", "", text)
         base, stars, name, length = re.fullmatch(r"(\w+) (\**)(\w+)(?:\[(\d+)\])?", text).groups()
-        return {"base": base, "stars": len(stars), "const": const, "name": name, "length": length}
+        extents = extents_of(said) if stars else []
+        usual = re.search(r"usually (-?[\d.]*\d)", said)
+        told = re.search(r"\(?(::pdn_\w+|pdn_\w+\.\w+)( \+ 1\) / 2)?", said)
+        return {"base": base, "stars": len(stars), "const": const, "name": name, "length": length,
+                "said": said, "optional": "NULL" in said and "not NULL" not in said,
+                "extents": extents, "is_fixed": bool(extents) and all(map(str.isdigit, extents)),
+                "is_flag": bool(re.match("1 if |1, or 0 |1: |0 or 1,", said)),
+                "default": usual and (float if base == "double" else int)(usual[1]),
+                "told": told and told[0].replace("::", "")}
+
+    def first_of(self, name):
+        """The first sentence of what is said of a name."""
+        return re.split(r"\.(?: |$)", " ".join(self.docs[name].split()))[0]
+
+    def prototypes(self, declared, text):
+        return [self.prototype(*found) for found in re.findall(
+            rf"{DOCUMENTED}{declared}\(([^()]*)\);", text, re.S)]
 
     def prototype(self, doc, result, name, arguments):
         doc = " ".join(text_of(doc).split())
         told = dict(re.findall(r"@param (\w+) +(.*?)(?= @|$| Threads:)", doc))
-        parameters = []
-        for text in [] if arguments.strip() == "void" else arguments.split(","):
-            parameter = self.declaration(text)
-            said = told.get(parameter["name"], "")
-            inherited = parameters[-1]["optional"] if "likewise" in said and parameters else False
-            # "likewise" and "as cosines" refer to the one before.
-            if re.match(r"as cosines|array of length \[\w+\]; likewise", said):
-                said = parameters[-1]["said"]
-            parameter["optional"] = inherited or ("NULL" in said and "not NULL" not in said)
-            parameter["said"] = said
-            parameter["extents"] = extents_of(said) if parameter["stars"] else []
-            parameters.append(parameter)
-        return {"name": name, "result": result, "summary": re.split(r"\.(?: |$)", doc)[0],
+        parameters = [self.declaration(text, told.get(re.search(r"\w+$", text)[0], ""))
+                      for text in arguments.split(",") if text.strip() != "void"]
+        return {"name": name, "result": result, "summary": self.first_of(name),
                 "parameters": parameters, "arguments": " ".join(arguments.split())}
 
 

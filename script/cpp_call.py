@@ -1,43 +1,24 @@
 """A function of C as one of C++, for script/cpp_interface."""
 
 import re
-import textwrap
 from math import prod
 
-from c_header import DEFAULTS, Binding, class_name
+from c_header import Binding, class_name, filled
 
-# Roles of constants: the first value of each, and what its names begin with in C alone.
-ROLES = {
-    "Kind": (100, ""), "ObjectKind": (1000, "OBJECT_"), "ForceKind": (1100, "FORCE_IS_"),
-    "JointKind": (1300, "JOINT_"), "Coordinate": (1400, ""), "Frame": (1600, "FRAME_"),
-    "Component": (1700, ""), "ShellFrames": (1900, "SHELL_"), "ShellPlace": (2000, "SHELL_"),
-    "BushingAngles": (2100, "ANGLES_"), "Tangents": (2200, "TANGENTS_"),
-    "Tangent": (2300, "TANGENT_"), "Outcome": (2400, ""), "Decay": (2500, "DECAY_"),
-    "Feature": (2900, "FEATURE_"), "Filter": (3100, "FILTER_"), "Stage": (3200, "STAGE_"),
-    "Start": (3300, "START_"), "TimeMap": (3400, "TIME_MAP_"), "Linear": (3500, "LINEAR_"),
-    "Number": (3600, "NUMBER_"), "SignalOf": (3700, "SIGNAL_OF_"), "SignalPart": (3800, "PART_"),
-    "SensitivityMethod": (3900, "SENSITIVITY_"), "BranchEnd": (4000, "BRANCH_"),
-    "BranchEvent": (4100, "EVENT_"), "Verdict": (4200, "STABILITY_"),
-}
+# Roles of constants, by the hundreds of their values.
+ROLES = dict.fromkeys(range(1, 7), "Kind") | {
+    10: "ObjectKind", 11: "ForceKind", 13: "JointKind", 14: "Coordinate", 16: "Frame",
+    17: "Component", 19: "ShellFrames", 20: "ShellPlace", 21: "BushingAngles", 22: "Tangents",
+    23: "Tangent", 24: "Outcome", 25: "Decay", 29: "Feature", 31: "Filter", 32: "Stage",
+    33: "Start", 34: "TimeMap", 35: "Linear", 36: "Number", 37: "SignalOf", 38: "SignalPart",
+    39: "SensitivityMethod", 40: "BranchEnd", 41: "BranchEvent", 42: "Verdict"}
 # What functions that return a number or a negative status tell.
 TOLD = {"outcome": "Outcome", "end": "BranchEnd", "components": "std::size_t"}
-# Numbers of entries that C++ knows, by what is said of them.
-KNOWN = {
-    r"pdn_equations_sizes\.(\w+)": r"sizes().\1",
-    r"pdn_diagnostics\.(\w+)": r"static_cast<std::size_t>(diagnostics().\1)",
-    r"::pdn_solution_(\w+_count)\b": r"\1()",
-    r"as ::pdn_stability_times tells": "times().size()",
-    r"\(N \+ 1\) / 2": "(diagnostics().grid_points + 1) / 2",
-}
 NUMBERS = {"int32_t": "std::int32_t", "size_t": "std::size_t", "double": "double",
            "pdn_status": "pdn_status"}
 VECTOR = "std::vector<double>"
 VERSION_CHECK = "detail::check(pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR));"
 FIXED = {3: "Vector3", 6: "Vector6", 9: "Matrix3", 36: "Matrix6"}
-
-
-def is_fixed(extents):
-    return bool(extents) and all(extent.isdigit() for extent in extents)
 
 
 def fixed(extents):
@@ -48,15 +29,13 @@ def fixed(extents):
 def common(names, may_be_empty):
     """The call for the length that arrays have in common."""
     pairs = ", ".join(f'{{"{name.rstrip("_")}",\0{name}.size()}}' for name in names)
-    return f"detail::common({{{pairs}}}, {'true' if may_be_empty else 'false'});"
+    return f"detail::common({{{pairs}}}, {'true' if may_be_empty else 'false'})"
 
 
 def comment(said, pad="    "):
     """A comment for Doxygen."""
-    said = said.rstrip(".:; ") + "."
-    return textwrap.fill(f"/** {said[0].upper()}{said[1:]}\0*/", 100, initial_indent=pad,
-                         subsequent_indent=f"{pad} * ", break_long_words=False,
-                         break_on_hyphens=False)
+    said = said.rstrip(".:; ")
+    return filled(f"{pad}/** {said[0].upper()}{said[1:]}.\0*/", 100, "", f"{pad} * ")
 
 
 class Call(Binding):
@@ -93,29 +72,24 @@ class Call(Binding):
 
     def count(self, p):
         """A number of entries that C++ knows."""
-        count, said = p["name"], p["said"]
+        count = p["name"]
         given = [q for q in self.having(count) if q["const"]]
-        known = [re.sub(f".*{told}.*", known, said) for told, known in KNOWN.items()
-                 if re.search(told, said)]
         if len(given) > 1:
-            self.before.append(f"const std::size_t {count} = " + common(
-                [q["name"] for q in given], all(q["optional"] for q in given)))
-        elif known or given:
-            known = known[0] if known else f"{given[0]['name']}.size()"
-            if given and "+ 1]" in given[0]["said"]:
-                known = f"{known} == 0 ? 0 : {known} - 1"
-            self.before.append(f"const std::size_t {count} = {known};")
-        elif "no more than there are" in said:
-            self.before += [f"std::size_t {count} = 0;",
-                            f"detail::check({self.name}(get(), nullptr, 0, &{count}));"]
+            known = common([q["name"] for q in given], all(q["optional"] for q in given))
+        elif p["told"]:
+            known = re.sub(r"pdn_((solution|stability|equations)_)?(\w+)", r"\3()", p["told"], 1)
+            known = f"static_cast<std::size_t>({known})" if "diagnostics" in known else known
+        elif given:
+            known = f"{given[0]['name']}.size()"
         else:
             return
+        self.before.append(f"const std::size_t {count} = {known};")
         self.counts.append(count)
 
     def input(self, p, kind):
         """A parameter that is asked for, and how it is passed."""
-        name, base, optional, role = p["name"], p["base"], p["optional"], self.role(p)
-        extents, passed, default = p["extents"], f"detail::in({name})", "{}"
+        name, base, optional, role = p["name"], p["base"], p["optional"], self.header.role(p)
+        extents, passed, default = p["extents"], f"detail::in({name})", "{}" if optional else None
         by_value = boxed = False
         if name in self.counts:
             self.passed.append(name)
@@ -124,11 +98,14 @@ class Call(Binding):
             self.passed.append("detail::in(detail::tangents_of<Function>)")
             return
         if kind == "number":
-            is_flag = re.match("(1: |0 or 1|0 to )", p["said"])
-            taken, by_value = role or ("bool" if is_flag else NUMBERS[base]), True
-            passed = passed if role or is_flag else name
+            taken, by_value = role or ("bool" if p["is_flag"] else NUMBERS[base]), True
+            passed = passed if role or p["is_flag"] else name
+            default = p["default"]
         elif base in self.header.prepared:
-            taken, by_value, passed = class_name(base), True, f"{name}.get({self.nodes(base)})"
+            # Options may have arrays of all nodes of a model.
+            nodes = "static_cast<std::size_t>(model.node_count())" \
+                if self.parameters[0]["base"] == "pdn_model" and not self.this else ""
+            taken, by_value, passed = class_name(base), True, f"{name}.get({nodes})"
         elif kind == "handle" and optional:
             taken, by_value, default = f"const {class_name(base)} *", True, "nullptr"
             passed = f'detail::in({name}, "{name}")'
@@ -137,12 +114,12 @@ class Call(Binding):
         elif kind in ("struct", "signal"):
             taken, boxed = class_name(base) if base in self.header.wrapped else base, optional
             passed = f"{name} ? &*{name} : nullptr" if optional else f"&{name}"
-        elif kind == "text" or is_fixed(extents):
+        elif kind == "text" or p["is_fixed"]:
             taken, boxed = "std::string" if kind == "text" else fixed(extents), optional
         elif kind == "several_signals":
             taken = "std::vector<std::array<Signal, 6>>"
         elif self.name.startswith("pdn_signal_"):
-            taken, by_value, passed = VECTOR, True, f"(*owned)[{len(self.kept)}].data()"
+            taken, by_value, passed = VECTOR, True, f"std::get<{len(self.kept)}>(*owned).data()"
             self.kept.append(name)
         else:
             taken = f"std::vector<{role or NUMBERS.get(base) or class_name(base)}>" \
@@ -152,25 +129,11 @@ class Call(Binding):
         self.signals += [name] * (base == "pdn_signal")
         taken = f"std::optional<{taken}>" if boxed else taken
         declared = f"{taken} {name}".replace("* ", "*") if by_value else f"const {taken} &{name}"
-        default = DEFAULTS.get(self.name, {}).get(name.rstrip("_"), default if optional else None)
         if default is None or self.hands_over:
             self.required.append(declared)
         else:
             self.optional.append(f"{declared} = {'true' if taken == 'bool' else default}")
             self.optional.sort(key=lambda taken: "Options " in taken)
-
-    def role(self, p):
-        """The role of constants; "likewise" is that of a parameter with a name like it."""
-        last = p["name"].rpartition("_")[2]
-        alike = [q["said"] for q in self.parameters if q["name"].endswith(last)]
-        return self.header.role(alike[0] if p["extents"] and "likewise" in p["said"] else p["said"])
-
-    def nodes(self, options):
-        """The number of nodes that options ask for; 0 for none that is known."""
-        if options not in self.header.of_nodes:
-            return ""
-        return "static_cast<std::size_t>(model.node_count())" \
-            if self.parameters[0]["base"] == "pdn_model" else "0"
 
     def callback(self, p):
         if p["base"] == "pdn_destroy_fn":
@@ -182,11 +145,8 @@ class Call(Binding):
 
     def output(self, p, kind):
         """An output: where the library writes it, and what is returned."""
-        name, base, role, extents = p["name"], p["base"], self.role(p), p["extents"]
+        name, base, role, extents = p["name"], p["base"], self.header.role(p), p["extents"]
         passed, start, returned = f"&{name}", "{}", name
-        if p["said"].startswith("the number of times that there are"):
-            self.passed.append("nullptr")
-            return
         if kind == "new_handle":
             made, declared = class_name(base), f"{base} *"
             given = [q for q in self.parameters if q["base"] in self.header.opaque and q["const"]]
@@ -202,12 +162,10 @@ class Call(Binding):
             start = f" = detail::initialised({base}_init)" if base in self.header.initialised \
                 else start
         elif kind == "new_number":
-            is_flag = re.match("1(,| if)", p["said"])
-            declared = NUMBERS[base]
-            made = role or ("bool" if is_flag else declared)
-            start = " = 0"
-            returned = f"static_cast<{made}>({name})" if role else name + " != 0" * bool(is_flag)
-        elif is_fixed(extents):
+            declared, start = NUMBERS[base], " = 0"
+            made = role or ("bool" if p["is_flag"] else declared)
+            returned = f"static_cast<{made}>({name})" if role else name + " != 0" * p["is_flag"]
+        elif p["is_fixed"]:
             made = declared = fixed(extents)
             passed = f"{name}.data()"
         else:
@@ -256,10 +214,11 @@ class Call(Binding):
         result, call = self.function["result"], f"{self.name}({', '.join(self.passed)})"
         lines = self.called(call) if result == "pdn_status" else []
         if "buffer, capacity" in self.passed:
-            # Throws where there is nothing to describe.
-            lines = ["summary();"] if self.name == "pdn_model_describe" else []
-            lines += [f'return text_of("{self.parameters[0]["name"]}", '
-                      "[&](char *buffer, std::size_t capacity) {", f"    return {call};", "});"]
+            # Throws where there is nothing to write: a text has no status.
+            lines = ["summary();" if self.name == "pdn_model_describe" else
+                     f'detail::in(this, "{self.parameters[0]["name"]}");',
+                     "return detail::text([&](char *buffer, std::size_t capacity) {",
+                     f"    return {call};", "});"]
         elif result == "void":
             lines = [f"{call};"]
         elif result != "pdn_status" and not self.this:
@@ -278,15 +237,15 @@ class Call(Binding):
         """The call after what is done before, and the check of its status."""
         checked = f"detail::check({call});"
         if self.hands_over:
-            lines = [f"detail::hand_over(std::move({self.function_of_caller}), "
-                     "[&](void *owned, pdn_destroy_fn destroy) {", f"    return {call};", "});"]
+            lines = ["detail::hand_over([&](void *owned, pdn_destroy_fn destroy) {",
+                     f"    return {call};", f"}}, std::move({self.function_of_caller}));"]
         elif self.signals:
             lines = ["take([&] {", f"    return {call};", f"}}, {', '.join(self.signals)});"]
         elif self.function_of_caller or self.kept:
-            own = f"std::array<{VECTOR}, {len(self.kept)}>>(" if self.kept \
-                else f"Function>(std::move({self.function_of_caller})"
-            moved = [f"(*owned)[{i}] = std::move({name});" for i, name in enumerate(self.kept)]
-            lines = [f"auto owned = std::make_shared<{own});", *moved, checked,
+            kind = f"std::tuple<{', '.join([VECTOR] * len(self.kept))}>" if self.kept \
+                else "Function"
+            moved = ", ".join(f"std::move({n})" for n in self.kept or [self.function_of_caller])
+            lines = [f"auto owned = std::make_shared<{kind}>({moved});", checked,
                      "kept = std::move(owned);"]
         elif self.made:
             # It is owned before anything is thrown.

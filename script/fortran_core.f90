@@ -33,7 +33,7 @@ $renamed
     use, intrinsic :: iso_fortran_env, only: error_unit
     implicit none
     public
-    private :: report, refuse, fits, nodes_of, raw_of, text_at, error_unit
+    private :: report, fits, nodes_of, raw_of, text_at, error_unit
 
     ! In every procedure: without stat, a failure ends the program with the message. With it, stat
     ! is 0 or the negative status (PDN_ERR_VALUE, ...), and errmsg, blank-padded, tells which
@@ -81,31 +81,19 @@ contains
 
     ! Failure ----------------------------------------------------------------------------------
 
-    ! Hands a status on to the caller.
+    ! Hands a status on to the caller, with the library's message if it is a failure.
     subroutine report(status, stat, errmsg)
         integer(c_int32_t), intent(in) :: status
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
 
         if (present(stat)) stat = status
-        if (status /= PDN_OK) call refuse(status, pdn_last_error(), stat, errmsg)
+        if (status == PDN_OK) return
+        if (present(errmsg)) errmsg = pdn_last_error()
+        if (present(stat)) return
+        write (error_unit, '(4a)') 'periodyn: ', pdn_status_name(status), ': ', pdn_last_error()
+        error stop 1
     end subroutine report
-
-    ! Hands a failure on to the caller.
-    subroutine refuse(status, message, stat, errmsg)
-        integer(c_int32_t), intent(in) :: status
-        character(*), intent(in) :: message
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        if (present(errmsg)) errmsg = message
-        if (present(stat)) then
-            stat = status
-        else
-            write (error_unit, '(4a)') 'periodyn: ', pdn_status_name(status), ': ', message
-            error stop 1
-        end if
-    end subroutine refuse
 
     ! Whether an array has the shape that it must have; otherwise refuses it. What is negative is
     ! not known, for a reason that the call tells.
@@ -120,7 +108,8 @@ contains
         if (fits) return
         write (message, '(2a, *(i0, :, " x "))') name, ': expected the shape ', expected
         write (message(len_trim(message) + 1:), '(a, *(i0, :, " x "))') ', got ', found
-        call refuse(PDN_ERR_SIZE, trim(message), stat, errmsg)
+        call set_last_error(message)
+        call report(PDN_ERR_SIZE, stat, errmsg)
     end function fits
 
     ! Number of nodes of a model; negative if there is no model.
@@ -192,7 +181,6 @@ contains
         end if
         self%c = c_null_ptr
         self%owners => null()
-        self%release_with => null()
     end subroutine handle_free
 
     subroutine handle_finalise(self)
@@ -218,8 +206,7 @@ contains
         call self%free()
         self%c = c
         self%release_with => release_with
-        allocate (self%owners)
-        self%owners = 1
+        allocate (self%owners, source=1)
     end subroutine adopt
 
     subroutine share(left, right)
@@ -227,7 +214,8 @@ contains
         class(pdn_handle), intent(in) :: right
 
         if (.not. same_type_as(left, right)) then
-            call refuse(PDN_ERR_VALUE, 'assignment: expected objects of the same type')
+            call set_last_error('assignment: expected objects of the same type')
+            call report(PDN_ERR_VALUE)
         end if
         if (associated(right%owners)) right%owners = right%owners + 1
         call left%free()

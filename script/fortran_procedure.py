@@ -6,44 +6,24 @@ need not be told.
 """
 
 import re
-import textwrap
 from itertools import groupby
 
-from c_header import DEFAULTS
+from c_header import Binding, filled, folded
 
 NUMBERS = {"int32_t": "integer(c_int32_t)", "pdn_status": "integer(c_int32_t)",
            "size_t": "integer(c_size_t)", "double": "real(c_double)",
            "char": "character(kind=c_char)"}
-# How many numbers a function gives: the function that tells before, and what it says.
-COUNTS = {
-    "pdn_solution_history": ("pdn_solution_diagnostics", "asked%iterations"),
-    "pdn_solution_decay": ("pdn_solution_diagnostics", "(asked%grid_points + 1)/2"),
-    "pdn_solution_grid_times": ("pdn_solution_diagnostics", "asked%grid_points"),
-    "pdn_solution_floquet": ("pdn_solution_floquet_count", "asked"),
-    "pdn_solution_sharp_events": ("pdn_solution_sharp_event_count", "asked"),
-}
 GRID_POINTS = \
     "int(merge(2*chosen%harmonics + 1, chosen%grid_points, chosen%harmonics > 0))"
-SUFFIX = {int: "_c_int32_t", float: "_c_double"}
-# What is said of numbers that are true or false.
-LOGICAL = re.compile(r"1 if |1, or 0 |1: |0 or 1,")
 
 
-def wrapped(start, items, end=""):
+def wrapped(statement):
     """One statement, continued where lines would get long."""
-    lines, line = [], start
-    for i, item in enumerate(items):
-        item += ", " if i + 1 < len(items) else end
-        if len(line) + len(item.rstrip()) > 96:
-            lines.append(line.rstrip() + " &")
-            line = " " * (len(start) - len(start.lstrip()) + 4)
-        line += item
-    return "\n".join(lines + [line])
+    return folded(statement, 96).replace("\n", " &\n")
 
 
 def comment(text, pad="    "):
-    return textwrap.fill(text, 98, initial_indent=f"{pad}! ", subsequent_indent=f"{pad}! ",
-                         break_long_words=False, break_on_hyphens=False)
+    return filled(text, 98, f"{pad}! ", f"{pad}! ")
 
 
 def block(condition, lines):
@@ -58,16 +38,21 @@ def given(p, *lines):
     return block(f"present({p['name']})", lines) if p["optional"] else lines
 
 
+def shown(p):
+    """The type that a number has here."""
+    return "logical" if p["is_flag"] else NUMBERS[p["base"].replace("size_t", "int32_t")]
+
+
 def refusal(name, extents):
     return (f"if (.not. fits('{name}', shape({name}), [{', '.join(extents)}], stat, errmsg)) "
             "return")
 
 
 def colons(rank):
-    return f"({', '.join(':' * rank)})" if rank else ""
+    return "(" + ",\0".join(":" * rank) + ")" if rank else ""
 
 
-class Procedure:
+class Procedure(Binding):
     """A procedure that calls a function of C.
 
     `this`: what is passed for the first parameter. Each kind of parameter has a function here,
@@ -75,81 +60,52 @@ class Procedure:
     """
 
     def __init__(self, header, function, this=None, flat=False):
-        self.header, self.function, self.this = header, function, this
+        super().__init__(header, function)
         self.dummies, self.locals, self.prepared, self.passed, self.taken = [], [], [], [], []
-        self.asks = COUNTS.get(function["name"])
-        parameters = function["parameters"]
+        self.this, self.asks, self.defining = this, False, {}
         if function["result"] == "size_t":
             # A buffer for a text, and its capacity.
-            parameters = parameters[:-2]
-        # Components and times may also stand in one dimension.
-        self.extents = {p["name"]: ["*".join(p["extents"])] if flat and "C" in p["extents"]
-                        else p["extents"] for p in parameters}
-        self.defining = {}
-        self.count_all(parameters)
-        for i, p in enumerate(parameters):
+            self.parameters = self.parameters[:-2]
+        if flat:
+            # Components and times in one dimension.
+            self.parameters = [{**p, "extents": ["*".join(p["extents"])]}
+                               if "C" in p["extents"] else p for p in self.parameters]
+        for p in self.parameters:
+            if p["base"] == "size_t" and not p["stars"] and self.having(p["name"]):
+                self.count(p)
+        if self.having("C"):
+            self.locals.append(("integer", "components"))
+            self.prepared.append("components = pdn_quantity_components(quantity)")
+        for i, p in enumerate(self.parameters):
             if i == 0 and this:
                 self.passed.append(this)
             else:
-                self.kind(p)(p)
+                getattr(self, self.kind(p))(p)
 
-    def count_all(self, parameters):
-        """Prepares counts, by the arrays that have them."""
-        if self.asks:
-            told = self.header.named[self.asks[0]]["parameters"][-1]
-            self.locals.append((self.header.declared(told), "asked"))
-            struct = told["base"] in self.header.structs
-            self.prepared += ["call pdn_init(asked)" if struct else "asked = 0",
-                              f"status = {self.asks[0]}(self%c, asked)"]
-        for p in parameters:
-            having = [q for q in parameters
-                      if re.search(rf"\b{p['name']}\b", " ".join(self.extents[q["name"]]))]
-            if p["base"] == "size_t" and p["stars"] == 0 and having:
-                self.count_by(p["name"], having)
-        if "C" in " ".join(sum(self.extents.values(), [])):
-            self.locals.append(("integer", "components"))
-            self.prepared.append("components = pdn_quantity_components(quantity)")
-
-    def count_by(self, count, having):
-        """Prepares a count by one array that must be there, or by any that is."""
+    def count(self, p):
+        """Prepares a count: the library tells it of arrays that are then allocated, else one array
+        that must be there, or any that is."""
+        count, told, having = p["name"], p["told"] or "", self.having(p["name"])
         sure = [q for q in having if not q["optional"]][:1]
         self.defining[count] = (sure or having)[0]["name"]
-        if self.asks:
-            return
         self.locals.append((NUMBERS["size_t"], count))
-        if not sure:
+        self.asks = self.this == "self%c" and bool(re.search("diagnostics|_count", told))
+        if not sure or self.asks:
             self.prepared.append(f"{count} = 0")
-        for q in sure or reversed(having):
-            extents = self.extents[q["name"]]
-            place = next(i for i, e in enumerate(extents) if count in e.split())
-            size = f"size({q['name']}, {place + 1}, c_size_t)"
-            if extents[place].endswith("+ 1"):
-                size = f"max({size} - 1, 0_c_size_t)"
-            self.prepared += given(q, f"{count} = {size}")
+        if "diagnostics" in told:
+            self.locals.append(("type(pdn_diagnostics)", "asked"))
+            self.prepared += ["call pdn_init(asked)",
+                              "status = pdn_solution_diagnostics(self%c, asked)",
+                              f"{count} = {told.replace('pdn_diagnostics.', 'asked%')}"]
+        elif self.asks:
+            self.prepared.append(f"status = {told}(self%c, {count})")
+        for q in [] if self.asks else sure or reversed(having):
+            place = next(i for i, e in enumerate(q["extents"], 1) if count in e.split("*"))
+            self.prepared += given(q, f"{count} = size({q['name']}, {place}, c_size_t)")
 
-    def kind(self, p):
-        """The function for a parameter."""
-        base, const = p["base"], p["const"]
-        named = {"void": self.user_data, "char": self.text, "pdn_signal": self.signals}
-        if base in named:
-            return named[base]
-        if base in self.header.callback_names:
-            return self.callback
-        if base in self.header.opaque:
-            return self.handle if p["stars"] == 1 else self.new_handle
-        if base in self.header.structs:
-            made = self.built if self.header.pointers(base) else self.struct
-            return made if const else self.new_struct
-        if p["stars"] == 0:
-            return self.count if p["name"] in self.defining else self.number
-        if not p["extents"] and not const:
-            return self.new_number
-        return self.asked_array if self.asks else self.array
-
-    def dummy(self, p, declared, shape="", optional=None):
-        optional = p["optional"] if optional is None else optional
-        late = optional or p["name"] == "options"
-        self.dummies.append((late, declared + ", optional" * optional, p["name"] + shape))
+    def dummy(self, p, declared, shape=""):
+        late = p["optional"] or p["name"] == "options"
+        self.dummies.append((late, declared + ", optional" * p["optional"], p["name"] + shape))
 
     # Inputs.
 
@@ -162,7 +118,7 @@ class Procedure:
             self.prepared += given(p, f"{own} = {value}")
         self.passed.append(own if p["optional"] else value)
 
-    def user_data(self, p):
+    def data(self, p):
         self.dummy(p, "type(c_ptr), intent(in)")
         self.perhaps(p, "type(c_ptr)", p["name"], "c_null_ptr")
 
@@ -178,15 +134,21 @@ class Procedure:
         self.dummy(p, f"type({p['base']}), intent(in)")
         self.perhaps(p, "type(c_ptr)", f"{p['name']}%c", "c_null_ptr")
 
-    def signals(self, p):
-        own = p["name"]
-        self.dummy(p, "type(pdn_signal), intent(in), target", colons(len(self.extents[own])))
+    def signal(self, p):
+        self.dummy(p, "type(pdn_signal), intent(in), target", colons(len(p["extents"])))
         self.check(p)
-        self.perhaps(p, "type(c_signal), allocatable", f"raw_of({own})")
+        self.perhaps(p, "type(c_signal), allocatable", f"raw_of({p['name']})")
+
+    several_signals = signal
 
     def struct(self, p):
+        if self.header.pointers(p["base"]):
+            self.built(p)
+            return
         self.dummy(p, f"type({p['base']}), intent(in)", colons(len(p["extents"])))
         self.passed.append(p["name"])
+
+    several_structs = options = struct
 
     def built(self, p):
         """A struct whose pointers are set to arguments."""
@@ -197,77 +159,77 @@ class Procedure:
         if options:
             self.dummy(p, f"type({p['base']}), intent(in)")
             self.prepared += given(p, "chosen = options")
-        fields = [{**field, "optional": options or "NULL" in field["said"]}
-                  for field in self.header.pointers(p["base"])]
-        counted = set()
+        counted, fields = set(), self.header.pointers(p["base"])
         for field in sorted(fields, key=lambda field: field["optional"]):
             self.pointer(field, counted)
         self.passed.append("chosen")
 
     def pointer(self, field, counted):
         """An argument that a pointer of a struct is set to; `counted` are the counts so far."""
-        own, declared = field["name"], f"{self.header.declared(field)}, intent(in)"
+        own, extents = field["name"], field["extents"]
+        declared = f"{self.header.declared(field)}, intent(in)"
         if field["base"] in self.header.opaque:
             self.dummy(field, declared)
             self.prepared += given(field, f"chosen%{own} = {own}%c")
             return
-        count = re.search(r"of length \[(\w+)\]", field["said"])
-        nodes = re.search(r"(\d) x (N x )?nodes", field["said"])
-        extents = [f"int(chosen%{count[1]})"] if count else \
-            [nodes[1], *[GRID_POINTS] * bool(nodes[2]), "nodes_of(self)"] if nodes else []
         contiguous = ", contiguous" * bool(extents)
         self.dummy(field, f"{declared}, target{contiguous}", colons(len(extents)))
-        before = [refusal(own, extents)] if extents else []
-        if count and count[1] not in counted:
-            counted.add(count[1])
-            before = [f"chosen%{count[1]} = size({own}, kind=c_size_t)"]
+        known = {"N": GRID_POINTS, "nodes": "nodes_of(self)"}
+        before = [refusal(own, [e if e.isdigit() else known.get(e, f"int(chosen%{e})")
+                                for e in extents])] if extents else []
+        if len(extents) == 1 and extents[0] not in counted:
+            counted.add(extents[0])
+            before = [f"chosen%{extents[0]} = size({own}, kind=c_size_t)"]
         self.prepared += given(field, *before, f"chosen%{own} = c_loc({own})")
 
-    def count(self, p):
-        self.passed.append(f"int({self.asks[1]}, c_size_t)" if self.asks else p["name"])
-
     def number(self, p):
-        own, is_size, logical = p["name"], p["base"] == "size_t", LOGICAL.match(p["said"])
-        default = DEFAULTS.get(self.function["name"], {}).get(own)
+        own, default = p["name"], p["default"]
+        if own in self.defining:
+            self.passed.append(own)
+            return
         p = {**p, "optional": default is not None}
-        kind = "logical" if logical else NUMBERS["int32_t" if is_size else p["base"]]
-        self.dummy(p, f"{kind}, intent(in)")
+        self.dummy(p, f"{shown(p)}, intent(in)")
         # Of a negative count the library tells what it expects.
-        value = f"merge(1_c_int32_t, 0_c_int32_t, {own})" if logical else \
-            f"int(max({own}, 0), c_size_t)" if is_size else own
-        self.perhaps(p, NUMBERS[p["base"]], value, str(default) + SUFFIX.get(type(default), ""))
+        value = f"merge(1_c_int32_t, 0_c_int32_t, {own})" if p["is_flag"] else \
+            f"int(max({own}, 0), c_size_t)" if p["base"] == "size_t" else own
+        kind = NUMBERS[p["base"]]
+        self.perhaps(p, kind, value, f"{default}_{kind[:-1].split('(')[1]}")
 
     # Arrays, given or to be filled.
 
     def check(self, p):
         """Checks the shape of an array, unless it is what tells its length."""
-        extents = self.extents[p["name"]]
-        if any(self.defining.get(e.removesuffix(" + 1")) != p["name"] for e in extents):
+        extents = p["extents"]
+        if any(self.defining.get(e) != p["name"] for e in extents):
             expected = [re.sub(r"[a-z]\w*", r"int(\g<0>)", e).replace("C", "components")
                         for e in extents]
             self.prepared += given(p, refusal(p["name"], expected))
 
     def array(self, p):
-        own, extents = p["name"], self.extents[p["name"]]
+        """An array that is given, or filled as it is."""
+        own, extents = p["name"], p["extents"]
         if not extents:
             raise ValueError(f"{self.function['name']}: no shape in: {p['said']}")
-        fixed = all(e.isdigit() for e in extents)
-        shape = f"({', '.join(extents)})" if fixed else colons(len(extents))
+        shape = f"({', '.join(extents)})" if p["is_fixed"] else colons(len(extents))
         kind = f"{NUMBERS[p['base']]}, intent({'in' if p['const'] else 'inout'})"
-        self.dummy(p, kind + ", contiguous" * (not fixed), shape)
-        if not fixed:
+        self.dummy(p, kind + ", contiguous" * (not p["is_fixed"]), shape)
+        if not p["is_fixed"]:
             self.check(p)
         if self.this == "signal%raw":
             self.prepared += given(p, f"signal%{own} = {own}")
         self.passed.append(own)
 
-    def asked_array(self, p):
+    def new_array(self, p):
+        """An array that is filled; allocated if the library tells its length."""
+        if not self.asks:
+            self.array(p)
+            return
         own, kind = p["name"], f"{NUMBERS[p['base']]}, allocatable"
-        self.dummy(p, f"{kind}, intent(inout)", "(:)", optional=False)
-        self.locals.append((kind, f"found_{own}(:)"))
-        self.prepared.append(f"allocate (found_{own}({self.asks[1]}))")
+        self.dummy(p, f"{kind}, intent(inout)", colons(len(p["extents"])))
+        self.locals.append((kind, f"found_{own}{colons(len(p['extents']))}"))
+        self.prepared.append(f"allocate (found_{own}({', '.join(p['extents'])}))")
         self.passed.append(f"found_{own}")
-        self.taken.append(f"call move_alloc(found_{own}, {own})")
+        self.taken += given(p, f"call move_alloc(found_{own}, {own})")
 
     # Outputs.
 
@@ -280,7 +242,7 @@ class Procedure:
 
     def new_handle(self, p):
         name = p["base"].removeprefix("pdn_") if p["name"] == "out" else p["name"]
-        self.dummy({**p, "name": name}, f"type({p['base']}), intent(inout)", optional=False)
+        self.dummy({**p, "name": name, "optional": False}, f"type({p['base']}), intent(inout)")
         self.adopt(name, p["base"])
 
     def adopt(self, name, base):
@@ -292,24 +254,15 @@ class Procedure:
         own, kind = p["name"], f"type({p['base']})"
         if p["base"] in self.header.initialised:
             self.prepared.append(f"call pdn_init(found_{own})")
-            self.take(p, kind, kind, f"found_{own}")
-        else:
-            self.dummy(p, f"{kind}, intent(inout)")
-            self.passed.append(own)
+        self.take(p, kind, kind, f"found_{own}")
 
     def new_number(self, p):
-        own, kind = p["name"], NUMBERS[p["base"]]
+        found = f"found_{p['name']}"
         # Ids of what is added need not be taken.
-        wanted = {**p, "optional": p["optional"] or "_add_" in self.function["name"]}
-        if LOGICAL.match(p["said"]):
-            self.take(wanted, "logical", kind, f"found_{own} /= 0")
-        elif p["base"] == "size_t":
-            self.take(wanted, NUMBERS["int32_t"], kind, f"int(found_{own}, c_int32_t)")
-        elif wanted["optional"] > p["optional"]:
-            self.take(wanted, kind, kind, f"found_{own}")
-        else:
-            self.dummy(p, f"{kind}, intent(inout)")
-            self.passed.append(own)
+        wanted = {**p, "optional": p["optional"] or "_add_" in self.name}
+        value = f"{found} /= 0" if p["is_flag"] else \
+            f"int({found}, c_int32_t)" if p["base"] == "size_t" else found
+        self.take(wanted, shown(p), NUMBERS[p["base"]], value)
 
     # The procedure.
 
@@ -353,9 +306,8 @@ class Procedure:
         names = [name.partition("(")[0] for _, name in dummies]
         end = f") result({result})" if result else ")"
         lines = [comment(self.header.fortran_text(self.function["summary"]) + "."),
-                 wrapped(f"    {kind} {name}(", names or [""], end)]
+                 wrapped(f"    {kind} {name}({', '.join(names)}{end}")]
         for declaration, group in groupby(declared, key=lambda d: d[0]):
-            lines.append(wrapped(f"{pad}{declaration} :: ", [n for _, n in group]))
-        lines += ["", *(wrapped(pad + re.match(" *", line)[0], line.strip().split(", "))
-                        for line in body)]
+            lines.append(wrapped(f"{pad}{declaration} :: {', '.join(n for _, n in group)}"))
+        lines += ["", *(wrapped(pad + line) for line in body)]
         return "\n".join([*lines, f"    end {kind} {name}"])

@@ -673,8 +673,8 @@ class Signal(Struct):
         a multiple of 2 pi); all else must have rate zero.
 
         Args:
-            mean: mean, in the unit of what the signal drives
-            rate: growth for a unit of time
+            mean: mean, in the unit of what the signal drives; usually 0
+            rate: growth for a unit of time; usually 0
             cosines: array of shape (count)
             sines: array of shape (count)
         """
@@ -699,7 +699,7 @@ class Signal(Struct):
         repeated.
 
         Args:
-            rate: growth for a unit of time, as in Signal.set_harmonics
+            rate: growth for a unit of time, as in Signal.set_harmonics; usually 0
             samples: array of shape (count): without the growth, in the unit of what the signal
                 drives
         """
@@ -1304,12 +1304,14 @@ class PeriodicOptions(Struct):
     meshes. If grid_points is 0, the first grid is that of this solution. Default None.
     """
     guess_positions = Array("guess_positions", pointed=True)
-    """Start from these positions, 3 x N x nodes: coordinates fastest, then grid points, then
-    nodes; None to start otherwise. Needs guess_rotations, and grid_points or harmonics. Default
-    None.
+    """Start from these positions, an array of shape 3 x [N] x [nodes]: coordinates fastest, then
+    grid points, then nodes; None to start otherwise. Needs guess_rotations, and grid_points or
+    harmonics. Default None.
     """
     guess_rotations = Array("guess_rotations", pointed=True, turned=True)
-    """Rotation matrices of the same start, 9 x N x nodes, each column by column. Default None."""
+    """Rotation matrices of the same start, an array of shape 9 x [N] x [nodes], each column by
+    column. Default None.
+    """
     progress = Reference("progress", _callbacks.progress, "progress_data")
     """Told of each iteration, and while one lasts, see progress_interval; may cancel. Default
     None.
@@ -1754,14 +1756,16 @@ class MarchOptions(Struct):
     equilibrium, a periodic motion or another march; None to start otherwise. Default None.
     """
     positions = Array("positions", pointed=True)
-    """Start from these positions, 3 x nodes; None for those of the reference configuration. Needs
-    rotations. Default None.
+    """Start from these positions, an array of shape 3 x [nodes]; None for those of the reference
+    configuration. Needs rotations. Default None.
     """
     rotations = Array("rotations", pointed=True, turned=True)
-    """Rotation matrices of the same start, 9 x nodes, each column by column. Default None."""
+    """Rotation matrices of the same start, an array of shape 9 x [nodes], each column by column.
+    Default None.
+    """
     velocities = Array("velocities", pointed=True)
-    """Velocities of the same start, 6 x nodes: velocity of each node and its angular velocity,
-    inertial frame; None for none. Default None.
+    """Velocities of the same start, an array of shape 6 x [nodes]: velocity of each node and its
+    angular velocity, inertial frame; None for none. Default None.
     """
     progress = Reference("progress", _callbacks.progress, "progress_data")
     """Told of each step, and about ten times a second while one lasts; may cancel. Default None.
@@ -2340,8 +2344,8 @@ class Conditions(Handle):
             feature: FEATURE_MEAN, FEATURE_COSINE, FEATURE_SINE or FEATURE_VALUE
             at: the number of the harmonic, from 1, or the time; not looked at for the mean
             value: the value
-            scale: what counts as 1 in it, such as the largest that it may be; 0 for what does
-                in such quantities of the mechanism
+            scale: what counts as 1 in it, such as the largest that it may be; usually 0, for
+                what does in such quantities of the mechanism
         """
         quantity = of_type("Quantity")(quantity, self._kept)
         call(lib.pdn_conditions_add_quantity, self._c, quantity, feature, at, value, scale)
@@ -2510,7 +2514,7 @@ class Model(ModelExtras):
             mass: mass, positive [mass]
             centre: array of shape (3): centre of mass, global coordinates [length]
             inertia: array of shape (3, 3): moments of inertia about the centre of mass, in
-                global axes, 3 x 3, symmetric and positive semi-definite [mass * length^2]
+                global axes, symmetric and positive semi-definite [mass * length^2]
 
         Returns:
             node: the node's id
@@ -2530,8 +2534,7 @@ class Model(ModelExtras):
             centre: array of shape (3): its centre, global coordinates; need not be at the node
                 [length]
             inertia: array of shape (3, 3): moments of inertia about the centre, in global axes,
-                3 x 3, symmetric and positive semi-definite [mass * length^2]; None for a point
-                mass
+                symmetric and positive semi-definite [mass * length^2]; None for a point mass
 
         Returns:
             id: id of the inertia
@@ -2553,8 +2556,8 @@ class Model(ModelExtras):
         Args:
             node: id of the node
             frame: the frame that the matrix is about and resolved in; None for the node's own
-            matrix: array of shape (6, 6): 6 x 6, symmetric and positive semi-definite [mass,
-                mass * length, mass * length^2]
+            matrix: array of shape (6, 6): symmetric and positive semi-definite [mass, mass *
+                length, mass * length^2]
 
         Returns:
             id: id of the inertia
@@ -3130,9 +3133,8 @@ class Model(ModelExtras):
         Args:
             line: reference line
             stations: cross-sections along it
-            boundaries: array of shape (elements + 1): places along the span where elements
-                begin and end, from 0 at the start to 1 at the end, ascending, with all jumps
-                among them
+            boundaries: array of shape (count): places along the span where elements begin and
+                end, from 0 at the start to 1 at the end, ascending, with all jumps among them
             degree: polynomial degree of the elements, 1 to 24; an element has degree + 1 nodes
 
         Returns:
@@ -3141,7 +3143,7 @@ class Model(ModelExtras):
         line = of_type("Line")(line, self._kept)
         stations = of_type("Stations")(stations, self._kept)
         boundaries = reals("boundaries", boundaries, (None,))
-        _elements = len(boundaries) - 1
+        _count = len(boundaries)
         degree = whole("degree", degree)
         beam = Beam()
         call(
@@ -3150,7 +3152,7 @@ class Model(ModelExtras):
             line,
             stations,
             pointer(boundaries),
-            _elements,
+            _count,
             degree,
             beam._c,
         )
@@ -3196,10 +3198,10 @@ class Model(ModelExtras):
         Args:
             acceleration_1: component along global axis 1 [length / time^2], copied; None for
                 none; a number, a Signal, or a function of time
-            acceleration_2: component along global axis 2, likewise; a number, a Signal, or a
-                function of time
-            acceleration_3: component along global axis 3, likewise; a number, a Signal, or a
-                function of time
+            acceleration_2: component along global axis 2, copied; None for none; a number, a
+                Signal, or a function of time
+            acceleration_3: component along global axis 3, copied; None for none; a number, a
+                Signal, or a function of time
         """
         acceleration_1 = as_signal(acceleration_1, self._kept)
         acceleration_2 = as_signal(acceleration_2, self._kept)
@@ -3285,7 +3287,7 @@ class Model(ModelExtras):
                 nowhere along the line; read for FRAME_UNTWISTED only, else it
             fractions: array of shape (count): places, as fractions of the reference length of
                 these elements, ascending from 0 to 1; two at the same place make a jump
-            signals: array of length [6 count], each initialised, copied: those of the first
+            signals: array of shape 6 x [count], each initialised, copied: those of the first
                 place, FORCE_1 to FORCE_3 [force / length] and MOMENT_1 to MOMENT_3 [force],
                 then those of the next. One that was only initialised is zero; numbers, Signals,
                 or functions of time
@@ -3508,7 +3510,7 @@ class Model(ModelExtras):
             degree_v: polynomial degree along v, likewise
             join: 1: nodes on the edges of the surface at the same place as nodes of shells that
                 are there, or on another of its own edges, are these, so that shells are joined
-                and closed; 0: all nodes are new
+                and closed; 0: all nodes are new; usually 1
             section: the section
             placement: how it lies on the nodes; None for the defaults
 
@@ -3561,7 +3563,7 @@ class Model(ModelExtras):
             elements_v: number of elements along v, likewise
             degree_u: polynomial degree along u, 1 to 15
             degree_v: polynomial degree along v, likewise
-            join: 0 or 1, as Model.add_shell has it
+            join: 0 or 1, as Model.add_shell has it; usually 1
             section: the section
             placement: how it lies on the nodes; None for the defaults
 
@@ -3826,8 +3828,8 @@ class Model(ModelExtras):
             stiffness: effort for a unit of the coordinate [force / length, or force * length];
                 may be negative
             damping: effort for a unit of its rate [force * time / length, or force * length *
-                time]; may be negative
-            rest: coordinate at which the spring is free of effort [length or radian]
+                time]; may be negative, usually 0
+            rest: coordinate at which the spring is free of effort, usually 0 [length or radian]
 
         Returns:
             force: the force's id
@@ -3865,7 +3867,7 @@ class Model(ModelExtras):
             coordinate: DISPLACEMENT, ... or ROTATION, ...; one that the joint has
             stiffness: array of shape (stiffnesscount): copied; may be None if there are none
             damping: array of shape (dampingcount): copied; may be None if there are none
-            rest: coordinate at which the spring is free of effort [length or radian]
+            rest: coordinate at which the spring is free of effort, usually 0 [length or radian]
 
         Returns:
             force: the force's id
@@ -3971,8 +3973,8 @@ class Model(ModelExtras):
             second: id of the second node, or GROUND; not the same body
             frame: the frame, where it is in the reference configuration; None for the second
                 node's own
-            matrix: array of shape (6, 6): 6 x 6, symmetric and positive semi-definite [force *
-                time / length, force * time, force * length * time]
+            matrix: array of shape (6, 6): symmetric and positive semi-definite [force * time /
+                length, force * time, force * length * time]
 
         Returns:
             force: the force's id
@@ -4013,9 +4015,9 @@ class Model(ModelExtras):
             first_frame: frame fixed to the first body, where it is in the reference
                 configuration
             second_frame: frame fixed to the second body,
-            stiffness: array of shape (6, 6): 6 x 6 [force / length, force, force * length];
+            stiffness: array of shape (6, 6): stiffness [force / length, force, force * length];
                 with ANGLES_TILT_AND_SPIN its last column is zero
-            damping: array of shape (6, 6): 6 x 6 [the same times time]
+            damping: array of shape (6, 6): damping [the same times time]
             angles: ANGLES_ROTATION_VECTOR or ANGLES_TILT_AND_SPIN
 
         Returns:
@@ -4149,9 +4151,9 @@ class Model(ModelExtras):
             input_joints: ids of the joints of the coordinates that are read; may be None if
                 there are none
             input_coordinates: DISPLACEMENT ... ROTATION_3 of each, one that the joint has; each
-                coordinate of a joint at most once; may be None likewise
+                coordinate of a joint at most once; may be None if there are none
             output_joints: ids of the joints of the coordinates that it acts on
-            output_coordinates: the coordinate of each, likewise
+            output_coordinates: DISPLACEMENT ... ROTATION_3 of each, as for what is read
             initial: array of shape (statecount): the states where a march begins; None for zero
             sizes: array of shape (statecount): what each state is of the order of, positive, by
                 which equations are scaled and differences taken; None for 1
@@ -4515,11 +4517,11 @@ class Model(ModelExtras):
                 Its model is to have the same bodies, joints, forces and prescribed coordinates,
                 and the same beams, which may have other meshes. If grid_points is 0, the first
                 grid is that of this solution. Default None.
-            guess_positions: Start from these positions, 3 x N x nodes: coordinates fastest,
-                then grid points, then nodes; None to start otherwise. Needs guess_rotations,
-                and grid_points or harmonics. Default None.
-            guess_rotations: Rotation matrices of the same start, 9 x N x nodes, each column by
-                column. Default None.
+            guess_positions: Start from these positions, an array of shape 3 x [N] x [nodes]:
+                coordinates fastest, then grid points, then nodes; None to start otherwise.
+                Needs guess_rotations, and grid_points or harmonics. Default None.
+            guess_rotations: Rotation matrices of the same start, an array of shape 9 x [N] x
+                [nodes], each column by column. Default None.
             progress: Told of each iteration, and while one lasts, see progress_interval; may
                 cancel. Default None.
             error_tolerance: If grid_points is 0, grid points are added until the estimated
@@ -4904,7 +4906,7 @@ class Model(ModelExtras):
 
         Returns:
             node: the node's id
-            matrix, of shape (6, 6): 6 x 6 inertia about the node, along its axes, as in
+            matrix, of shape (6, 6): inertia about the node, along its axes, as in
                 Model.add_inertia
         """
         node = ffi.new("int32_t *")
@@ -5179,11 +5181,11 @@ class Model(ModelExtras):
                 Its model is to have the same bodies, joints, forces and prescribed coordinates,
                 and the same beams, which may have other meshes. If grid_points is 0, the first
                 grid is that of this solution. Default None.
-            guess_positions: Start from these positions, 3 x N x nodes: coordinates fastest,
-                then grid points, then nodes; None to start otherwise. Needs guess_rotations,
-                and grid_points or harmonics. Default None.
-            guess_rotations: Rotation matrices of the same start, 9 x N x nodes, each column by
-                column. Default None.
+            guess_positions: Start from these positions, an array of shape 3 x [N] x [nodes]:
+                coordinates fastest, then grid points, then nodes; None to start otherwise.
+                Needs guess_rotations, and grid_points or harmonics. Default None.
+            guess_rotations: Rotation matrices of the same start, an array of shape 9 x [N] x
+                [nodes], each column by column. Default None.
             progress: Told of each iteration, and while one lasts, see progress_interval; may
                 cancel. Default None.
             error_tolerance: If grid_points is 0, grid points are added until the estimated
@@ -5597,12 +5599,12 @@ class Model(ModelExtras):
             initial: Start from this solution of a model with the same nodes and joints, at
                 start_time: an equilibrium, a periodic motion or another march; None to start
                 otherwise. Default None.
-            positions: Start from these positions, 3 x nodes; None for those of the reference
-                configuration. Needs rotations. Default None.
-            rotations: Rotation matrices of the same start, 9 x nodes, each column by column.
-                Default None.
-            velocities: Velocities of the same start, 6 x nodes: velocity of each node and its
-                angular velocity, inertial frame; None for none. Default None.
+            positions: Start from these positions, an array of shape 3 x [nodes]; None for those
+                of the reference configuration. Needs rotations. Default None.
+            rotations: Rotation matrices of the same start, an array of shape 9 x [nodes], each
+                column by column. Default None.
+            velocities: Velocities of the same start, an array of shape 6 x [nodes]: velocity of
+                each node and its angular velocity, inertial frame; None for none. Default None.
             progress: Told of each step, and about ten times a second while one lasts; may
                 cancel. Default None.
             memory_limit: Bytes of memory that the steps which are kept may take, by an
@@ -5880,7 +5882,8 @@ class Sensitivities(Handle):
             quantity: one component of a quantity,
             feature: FEATURE_MEAN, FEATURE_COSINE, FEATURE_SINE, FEATURE_VALUE, FEATURE_LARGEST
                 or FEATURE_SMALLEST
-            at: the number of the harmonic, from 1, or the time; not looked at for all else
+            at: the number of the harmonic, from 1, or the time; usually 0 for all else, where
+                it is not looked at
         """
         quantity = of_type("Quantity")(quantity, self._kept)
         call(lib.pdn_sensitivities_add_quantity, self._c, quantity, feature, at)
@@ -6476,24 +6479,29 @@ class Stability(StabilityExtras):
         call(lib.pdn_stability_get, self._c, number, out._c)
         return out
 
-    def times(self, count):
+    def time_count(self):
+        """Number of times of the shapes of modes.
+
+        Returns:
+            out: the number
+        """
+        out = ffi.new("size_t *")
+        call(lib.pdn_stability_time_count, self._c, out)
+        return out[0]
+
+    def times(self):
         """Times of the shapes of modes: ends of equal steps over the period, the last is the
         period.
 
-        Args:
-            count: number of times to be written, no more than there are
-
         Returns:
             times, of shape (count)
-            steps: the number of times that there are
         """
-        times = reals.empty((count,))
-        count = whole("count", count)
-        steps = ffi.new("size_t *")
-        call(lib.pdn_stability_times, self._c, pointer(times), count, steps)
-        return times, steps[0]
+        _count = self.time_count()
+        times = reals.empty((_count,))
+        call(lib.pdn_stability_times, self._c, pointer(times), _count)
+        return times
 
-    def shape(self, number, node, steps):
+    def shape(self, number, node):
         """The mode phi of a multiplier at a node over the period.
 
         Small displacements and rotations along the node's own axes, at the times of
@@ -6503,21 +6511,20 @@ class Stability(StabilityExtras):
         Args:
             number: number of the multiplier, from 0
             node: id of the node
-            steps: number of times, as Stability.times tells
 
         Returns:
             real, of shape (steps, 6): real part, components fastest
             imaginary, of shape (steps, 6): imaginary part
         """
-        steps = whole("steps", steps)
-        real = reals.empty((steps, 6))
-        imaginary = reals.empty((steps, 6))
+        _steps = self.time_count()
+        real = reals.empty((_steps, 6))
+        imaginary = reals.empty((_steps, 6))
         call(
             lib.pdn_stability_shape,
             self._c,
             number,
             node,
-            steps,
+            _steps,
             pointer(real),
             pointer(imaginary),
         )
@@ -6664,8 +6671,9 @@ def motion_grid_kinematics(period, positions, rotations):
     Returns:
         velocity, of shape (points, 6): linear and angular velocity along the moving axes
         acceleration, of shape (points, 6): time derivative of velocity
-        velocity_tangent, of shape (6 * points, 6 * points)
-        acceleration_tangent, of shape (6 * points, 6 * points)
+        velocity_tangent, of shape (6 * points, 6 * points): derivatives of velocity by u
+        acceleration_tangent, of shape (6 * points, 6 * points): derivatives of acceleration by
+            u
     """
     positions = reals("positions", positions, (None, 3))
     _points = len(positions)

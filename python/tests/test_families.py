@@ -89,7 +89,7 @@ def test_response_over_frequencies(tmp_path):
 
 
 def test_multipliers():
-    model, *_ = driven()
+    model, body, *_ = driven()
     stability = model.solve_periodic(2 * np.pi).solve_stability()
     verdict, _limit = stability.verdict()
     assert verdict == pdn.STABLE
@@ -97,6 +97,12 @@ def test_multipliers():
     wanted = sorted(np.exp(2 * np.pi * exponents), key=lambda z: z.imag)
     found = sorted(stability.multipliers, key=lambda z: z.imag)
     np.testing.assert_allclose(found, wanted, atol=1e-9)
+    # As many shapes as times, of which the last is the period.
+    times, (real, imaginary) = stability.times(), stability.shape(0, body)
+    assert len(times) == stability.time_count() and times[-1] == pytest.approx(2 * np.pi)
+    assert real.shape == imaginary.shape == (len(times), 6)
+    # The largest component is 1.
+    assert np.max(np.hypot(real, imaginary)) == pytest.approx(1.0)
 
 
 def test_like_blades_are_said_and_read():

@@ -285,9 +285,9 @@ pub unsafe extern "C" fn pdn_model_add_beam(
 /// @param model  the model; not NULL
 /// @param line  reference line; not NULL
 /// @param stations  cross-sections along it; not NULL
-/// @param boundaries  array of length [elements + 1]: places along the span where elements begin
-///     and end, from 0 at the start to 1 at the end, ascending, with all jumps among them
-/// @param elements  number of elements, 1 to 1000000
+/// @param boundaries  array of length [count]: places along the span where elements begin and end,
+///     from 0 at the start to 1 at the end, ascending, with all jumps among them
+/// @param count  number of boundaries, 2 to 1000001: one more than there are elements
 /// @param degree  polynomial degree of the elements, 1 to 24; an element has degree + 1 nodes
 /// @param beam  ids of what was made; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_STRUCT_SIZE,
@@ -302,12 +302,15 @@ pub unsafe extern "C" fn pdn_model_add_beam_between(
     line: *const pdn_line,
     stations: *const pdn_stations,
     boundaries: *const f64,
-    elements: usize,
+    count: usize,
     degree: usize,
     beam: *mut pdn_beam,
 ) -> pdn_status {
     guard(|call| {
-        let mesh = (elements, degree);
+        if count < 2 {
+            return Err(Error::size("count", "at least 2", count));
+        }
+        let mesh = (count - 1, degree);
         add_along(
             call,
             model,
@@ -315,7 +318,7 @@ pub unsafe extern "C" fn pdn_model_add_beam_between(
             mesh,
             beam,
             |model, line, stations| {
-                let boundaries = call.numbers(boundaries, elements + 1, "boundaries")?;
+                let boundaries = call.numbers(boundaries, count, "boundaries")?;
                 model.add_beam_between(line, stations, boundaries, degree)
             },
         )

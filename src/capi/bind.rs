@@ -2,8 +2,9 @@
 
 use super::controller::{self, pdn_controller_fn};
 use super::guard::guard;
+use super::id::Kind;
 use super::load::load_frame;
-use super::model::{self, pdn_model};
+use super::model::pdn_model;
 use super::status::pdn_status;
 use super::surface_force::{pdn_surface_force_fn, surface_force_law};
 use super::user_force::{
@@ -39,7 +40,7 @@ pub unsafe extern "C" fn pdn_model_bind_controller(
 ) -> pdn_status {
     guard(|call| {
         let mut model = call.exclusive(model, "model")?;
-        let force = model::force(&model, force, "force")?;
+        let force = Kind::Force.index_in(&model, force, "force")?;
         model.controller_law_mut(force)?;
         let gives_tangents = gives_tangents(tangents)?;
         let function = call.function(function, "function")?;
@@ -74,7 +75,7 @@ pub unsafe extern "C" fn pdn_model_bind_coordinate_law(
 ) -> pdn_status {
     guard(|call| {
         let mut model = call.exclusive(model, "model")?;
-        let force = model::force(&model, force, "force")?;
+        let force = Kind::Force.index_in(&model, force, "force")?;
         model.coordinate_law_mut(force)?;
         let gives_derivatives = gives_tangents(tangents)?;
         let function = call.function(function, "function")?;
@@ -111,7 +112,7 @@ pub unsafe extern "C" fn pdn_model_bind_user_force(
 ) -> pdn_status {
     guard(|call| {
         let mut model = call.exclusive(model, "model")?;
-        let force = model::force(&model, force, "force")?;
+        let force = Kind::Force.index_in(&model, force, "force")?;
         model.node_forces_mut(force)?;
         let frame = load_frame(frame)?;
         let gives_tangents = gives_tangents(tangents)?;
@@ -152,7 +153,7 @@ pub unsafe extern "C" fn pdn_model_bind_surface_force(
 ) -> pdn_status {
     guard(|call| {
         let mut model = call.exclusive(model, "model")?;
-        let first = model::force(&model, first_force, "first_force")?;
+        let first = Kind::Force.index_in(&model, first_force, "first_force")?;
         let count = usize::try_from(forces).unwrap_or(0);
         let left = model.force_count() - first;
         if count == 0 || count > left {

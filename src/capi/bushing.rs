@@ -41,9 +41,9 @@ pub(super) fn angles_code(angles: BushingAngles) -> i32 {
 /// @param first_frame  frame fixed to the first body, where it is in the reference configuration;
 ///     not NULL
 /// @param second_frame  frame fixed to the second body, likewise; not NULL
-/// @param stiffness  array of length 36: 6 x 6 [force / length, force, force * length]; with
+/// @param stiffness  array of shape 6 x 6: stiffness [force / length, force, force * length]; with
 ///     PDN_ANGLES_TILT_AND_SPIN its last column is zero
-/// @param damping  array of length 36: 6 x 6 [the same times time]
+/// @param damping  array of shape 6 x 6: damping [the same times time]
 /// @param angles  PDN_ANGLES_ROTATION_VECTOR or PDN_ANGLES_TILT_AND_SPIN
 /// @param force  the force's id; may be NULL if it is not wanted; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE

@@ -2,7 +2,8 @@
 
 use super::contents::force_number;
 use super::guard::guard;
-use super::model::{self, beam_element, pdn_model};
+use super::id::Kind;
+use super::model::pdn_model;
 use super::parameter::signal_place;
 use super::section::{self, pdn_section};
 use super::signal::{self, pdn_signal};
@@ -64,7 +65,7 @@ pub unsafe extern "C" fn pdn_model_set_force_numbers(
 ) -> pdn_status {
     guard(|call| {
         let mut model = call.exclusive(model, "model")?;
-        let force = model::force(&model, force, "force")?;
+        let force = Kind::Force.index_in(&model, force, "force")?;
         let which = force_number(number)?;
         let values = call.numbers(values, count, "values")?;
         model.set_force_numbers(force, which, values)
@@ -93,7 +94,7 @@ pub unsafe extern "C" fn pdn_model_set_beam_section(
 ) -> pdn_status {
     guard(|call| {
         let mut model = call.exclusive(model, "model")?;
-        let first = beam_element(&model, first_element, "first_element")?;
+        let first = Kind::BeamElement.index_in(&model, first_element, "first_element")?;
         let count = usize::try_from(elements)
             .map_err(|_| Error::size("elements", "at least 1", elements))?;
         let section = section::read(call, section, "section")?;

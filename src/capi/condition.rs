@@ -6,7 +6,7 @@ use super::handle::Handle;
 use super::id::Kind;
 use super::joint::coordinate;
 use super::model::pdn_model;
-use super::parameter::{PDN_FREQUENCY, any_parameter, parameter};
+use super::parameter::{PDN_FREQUENCY, any_parameter};
 use super::periodic::{pdn_periodic_options, read_options};
 use super::quantity::{pdn_quantity, selection};
 use super::solution::pdn_solution;
@@ -53,7 +53,7 @@ impl Conditions {
 pub(super) fn free_parameter(model: &Model, id: i32) -> Result<Free> {
     Ok(match id {
         PDN_FREQUENCY => Free::Frequency,
-        id => Free::Parameter(parameter(model, id, "parameter")?),
+        id => Free::Parameter(Kind::Parameter.index_in(model, id, "parameter")?),
     })
 }
 
@@ -225,8 +225,8 @@ pub(super) fn feature(call: &Call, feature: i32, at: f64) -> Result<Feature> {
 /// @param feature  PDN_FEATURE_MEAN, PDN_FEATURE_COSINE, PDN_FEATURE_SINE or PDN_FEATURE_VALUE
 /// @param at  the number of the harmonic, from 1, or the time; not looked at for the mean
 /// @param value  the value
-/// @param scale  what counts as 1 in it, such as the largest that it may be; 0 for what does in
-///     such quantities of the mechanism
+/// @param scale  what counts as 1 in it, such as the largest that it may be; usually 0, for what
+///     does in such quantities of the mechanism
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID,
 ///     PDN_ERR_VALUE; that the model has no such quantity, or the grid no such harmonic, is told by
 ///     the solve

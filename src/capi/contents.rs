@@ -4,9 +4,7 @@ use super::bushing::angles_code;
 use super::guard::{guard, init};
 use super::id::Kind;
 use super::joint::{coordinate_code, joint_code};
-use super::model::{
-    PDN_GROUND, beam_element, choose, count, force, joint, number, pdn_frame, pdn_model,
-};
+use super::model::{PDN_GROUND, choose, count, number, pdn_frame, pdn_model};
 use super::options::Options;
 use super::parameter::{PDN_NUMBER_DAMPING, PDN_NUMBER_STIFFNESS, signal_place};
 use super::section::pdn_section;
@@ -169,7 +167,7 @@ pub unsafe extern "C" fn pdn_model_joint(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let id = self::joint(&model, joint, "joint")?;
+        let id = Kind::Joint.index_in(&model, joint, "joint")?;
         let out = call.out_struct(out, "out")?;
         let joint = model.joint(id)?;
         let [first, second] = frames_of(&model, [joint.first, joint.second]);
@@ -222,7 +220,7 @@ pub unsafe extern "C" fn pdn_model_force(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let id = self::force(&model, force, "force")?;
+        let id = Kind::Force.index_in(&model, force, "force")?;
         let out = call.out_struct(out, "out")?;
         let force = model.force(id)?;
         let numbers = |which| force.numbers(which).len() as i32;
@@ -296,7 +294,7 @@ pub unsafe extern "C" fn pdn_model_force_number(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let id = self::force(&model, force, "force")?;
+        let id = Kind::Force.index_in(&model, force, "force")?;
         let numbers = model.force(id)?.numbers(force_number(number)?);
         let place = super::model::number(index, numbers.len(), "index", "a number")?;
         call.out(out, "out")?.set(numbers[place]);
@@ -323,7 +321,7 @@ pub unsafe extern "C" fn pdn_model_force_node(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let id = self::force(&model, force, "force")?;
+        let id = Kind::Force.index_in(&model, force, "force")?;
         let nodes = model.force(id)?.user_nodes();
         let place = number(index, nodes.len(), "index", "a node of the force")?;
         call.out(node, "node")?.set(Kind::Node.id(nodes[place]));
@@ -348,7 +346,7 @@ pub unsafe extern "C" fn pdn_model_beam_element_node_count(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let element = beam_element(&model, element, "element")?;
+        let element = Kind::BeamElement.index_in(&model, element, "element")?;
         let nodes = &model.beam_definition(element)?.nodes;
         call.out(count, "count")?.set(nodes.len() as i32);
         Ok(())
@@ -374,7 +372,7 @@ pub unsafe extern "C" fn pdn_model_beam_element_node(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let element = beam_element(&model, element, "element")?;
+        let element = Kind::BeamElement.index_in(&model, element, "element")?;
         let nodes = &model.beam_definition(element)?.nodes;
         let place = number(index, nodes.len(), "index", "a node of the element")?;
         call.out(node, "node")?.set(Kind::Node.id(nodes[place]));
@@ -404,7 +402,7 @@ pub unsafe extern "C" fn pdn_model_beam_section(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let element = beam_element(&model, element, "element")?;
+        let element = Kind::BeamElement.index_in(&model, element, "element")?;
         let out = call.out_struct(out, "out")?;
         let twist_out = call.out_optional(twist, "twist")?;
         let (section, twist) = model.beam_section(element, station)?;
@@ -440,7 +438,7 @@ pub unsafe extern "C" fn pdn_model_inertia_count(
 /// @param model  the model; not NULL
 /// @param inertia  id of the inertia
 /// @param node  the node's id; written on success only
-/// @param matrix  array of length 36: 6 x 6 inertia about the node, along its axes, as in
+/// @param matrix  array of shape 6 x 6: inertia about the node, along its axes, as in
 ///     ::pdn_model_add_inertia; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
 ///
@@ -542,15 +540,11 @@ pub unsafe extern "C" fn pdn_model_relation_term_count(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let relation = self::relation(&model, relation)?;
+        let relation = Kind::Relation.index_in(&model, relation, "relation")?;
         let terms = &model.relation(relation)?.terms;
         call.out(count, "count")?.set(terms.len() as i32);
         Ok(())
     })
-}
-
-fn relation(model: &Model, id: i32) -> Result<usize> {
-    Kind::Relation.index_in(model, id, "relation")
 }
 
 /// A coordinate of a linear relation, and its coefficient.
@@ -576,7 +570,7 @@ pub unsafe extern "C" fn pdn_model_relation_term(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let relation = self::relation(&model, relation)?;
+        let relation = Kind::Relation.index_in(&model, relation, "relation")?;
         let terms = &model.relation(relation)?.terms;
         let place = number(index, terms.len(), "index", "a coordinate of the relation")?;
         let joint_out = call.out(joint, "joint")?;

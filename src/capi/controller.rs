@@ -6,7 +6,7 @@ use super::callback::Callback;
 use super::guard::guard;
 use super::id::Kind;
 use super::joint::{coordinate, coordinate_code};
-use super::model::{add_object, force, joint, number, pdn_model};
+use super::model::{add_object, number, pdn_model};
 use super::status::pdn_status;
 use super::user_force::{gives_tangents, pdn_destroy_fn};
 use crate::elements::{ControllerInput, ControllerLaw, ControllerOutput, ControllerState};
@@ -54,13 +54,13 @@ pub struct pdn_controller_values {
     pub efforts: *mut f64,
     /// Array of length [state_count]: rates of the states.
     pub state_rates: *mut f64,
-    /// Array of shape ([output_count] + [state_count]) x [input_count], column by column:
+    /// Array of shape [output_count + state_count] x [input_count], column by column:
     /// derivatives by the coordinates. NULL if tangents are not wanted, or were said not to be
     /// given.
     pub by_inputs: *mut f64,
     /// The same by their rates; NULL where by_inputs is.
     pub by_input_rates: *mut f64,
-    /// Array of shape ([output_count] + [state_count]) x [state_count], column by column:
+    /// Array of shape [output_count + state_count] x [state_count], column by column:
     /// derivatives by the states; NULL where by_inputs is.
     pub by_states: *mut f64,
 }
@@ -111,7 +111,7 @@ fn coordinates(
     pairs
         .map(|(i, (&id, &which))| {
             Ok(JointCoordinate {
-                joint: joint(model, id, &format!("{joint_list}[{i}]"))?,
+                joint: Kind::Joint.index_in(model, id, &format!("{joint_list}[{i}]"))?,
                 coordinate: coordinate(which, &format!("{coordinate_list}[{i}]"))?,
             })
         })
@@ -205,11 +205,13 @@ fn call_back(
 /// @param input_joints  array of length [input_count]: ids of the joints of the coordinates that
 ///     are read; may be NULL if there are none
 /// @param input_coordinates  array of length [input_count]: PDN_DISPLACEMENT ... PDN_ROTATION_3 of
-///     each, one that the joint has; each coordinate of a joint at most once; may be NULL likewise
+///     each, one that the joint has; each coordinate of a joint at most once; may be NULL if
+///     there are none
 /// @param input_count  number of coordinates that are read
 /// @param output_joints  array of length [output_count]: ids of the joints of the coordinates that
 ///     it acts on
-/// @param output_coordinates  array of length [output_count]: the coordinate of each, likewise
+/// @param output_coordinates  array of length [output_count]: PDN_DISPLACEMENT ... PDN_ROTATION_3
+///     of each, as for what is read
 /// @param output_count  number of coordinates that it acts on, at least 1
 /// @param initial  array of length [state_count]: the states where a march begins; NULL for zero
 /// @param sizes  array of length [state_count]: what each state is of the order of, positive, by
@@ -292,7 +294,7 @@ pub unsafe extern "C" fn pdn_model_controller_counts(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let force = self::force(&model, force, "force")?;
+        let force = Kind::Force.index_in(&model, force, "force")?;
         let controller = model.require_controller(force)?;
         let lists = [
             (input_count, controller.inputs.len(), "input_count"),
@@ -330,7 +332,7 @@ pub unsafe extern "C" fn pdn_model_controller_coordinate(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let force = self::force(&model, force, "force")?;
+        let force = Kind::Force.index_in(&model, force, "force")?;
         let controller = model.require_controller(force)?;
         let all: Vec<_> = controller
             .inputs
@@ -369,7 +371,7 @@ pub unsafe extern "C" fn pdn_model_controller_state(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let force = self::force(&model, force, "force")?;
+        let force = Kind::Force.index_in(&model, force, "force")?;
         let states = &model.require_controller(force)?.states;
         let state = states[number(index, states.len(), "index", "a state of the controller")?];
         let out = [

@@ -715,7 +715,7 @@ pub unsafe extern "C" fn pdn_equations_compliance(
 /// @param equations  the equations; not NULL
 /// @param increment  array of length [count]
 /// @param count  pdn_equations_sizes.size
-/// @param step  the fraction
+/// @param step  the fraction, usually 1
 /// @return PDN_OK; PDN_ERR_NULL and PDN_ERR_VALUE (a handle in use), on this rank alone;
 ///     PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_NOT_AVAILABLE (not linearised), PDN_ERR_CALLBACK
 ///
@@ -775,7 +775,7 @@ pub unsafe extern "C" fn pdn_equations_norms(
 /// for. By all ranks.
 ///
 /// @param equations  the equations; not NULL
-/// @param root  the rank that gets the solution, which takes its memory there; -1 for all
+/// @param root  the rank that gets the solution, which takes its memory there; usually -1, for all
 /// @param outcome  how your solve ended: PDN_CONVERGED, ...
 /// @param out  the solution, NULL on ranks that get none; free it with ::pdn_solution_free; written
 ///     on success only

@@ -60,8 +60,8 @@ fn add_on_coordinate<T>(
 /// @param stiffness  effort for a unit of the coordinate [force / length, or force * length]; may
 ///     be negative
 /// @param damping  effort for a unit of its rate [force * time / length, or force * length * time];
-///     may be negative
-/// @param rest  coordinate at which the spring is free of effort [length or radian]
+///     may be negative, usually 0
+/// @param rest  coordinate at which the spring is free of effort, usually 0 [length or radian]
 /// @param force  the force's id; may be NULL if it is not wanted; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
 ///     PDN_ERR_NOT_AVAILABLE
@@ -109,7 +109,7 @@ pub unsafe extern "C" fn pdn_model_add_spring_damper(
 /// @param stiffness_count  number of powers of the coordinate, from the first
 /// @param damping  array of length [damping_count], copied; may be NULL if there are none
 /// @param damping_count  number of powers of its rate, from the first
-/// @param rest  coordinate at which the spring is free of effort [length or radian]
+/// @param rest  coordinate at which the spring is free of effort, usually 0 [length or radian]
 /// @param force  the force's id; may be NULL if it is not wanted; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
 ///     PDN_ERR_NOT_AVAILABLE
@@ -239,7 +239,7 @@ pub unsafe extern "C" fn pdn_model_add_viscoelastic(
 /// @param second  id of the second node, or PDN_GROUND; not the same body
 /// @param frame  the frame, where it is in the reference configuration; NULL for the second node's
 ///     own
-/// @param matrix  array of length 36: 6 x 6, symmetric and positive semi-definite [force * time /
+/// @param matrix  array of shape 6 x 6: symmetric and positive semi-definite [force * time /
 ///     length, force * time, force * length * time]
 /// @param force  the force's id; may be NULL if it is not wanted; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE

@@ -80,7 +80,7 @@ static SILENT: AtomicBool = AtomicBool::new(false);
 /// An internal error (PDN_ERR_PANIC) is a defect of the library; the printed text says where it is.
 /// Holds for the whole process.
 ///
-/// @param enabled  0 to print nothing, anything else to print
+/// @param enabled  1: they are printed; 0: they are not
 ///
 /// Threads: any.
 /// @since 0.1

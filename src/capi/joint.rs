@@ -154,7 +154,7 @@ pub(super) fn joint_coordinate(
     coordinate: i32,
 ) -> Result<JointCoordinate> {
     Ok(JointCoordinate {
-        joint: super::model::joint(model, joint, "joint")?,
+        joint: Kind::Joint.index_in(model, joint, "joint")?,
         coordinate: self::coordinate(coordinate, "coordinate")?,
     })
 }

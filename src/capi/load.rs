@@ -3,7 +3,7 @@
 use super::call::Call;
 use super::guard::guard;
 use super::id::Kind;
-use super::model::{self, add_object, choose, pdn_model};
+use super::model::{add_object, choose, pdn_model};
 use super::signal::{self, pdn_signal};
 use super::status::pdn_status;
 use crate::elements::{BeamLoadFrame, LoadFrame};
@@ -110,7 +110,7 @@ pub unsafe extern "C" fn pdn_model_add_load(
     load: *mut i32,
 ) -> pdn_status {
     let read = |call: &Call, model: &Model| {
-        let node = model::node(model, node, "node")?;
+        let node = Kind::Node.index_in(model, node, "node")?;
         let frame = load_frame(frame)?;
         Ok((node, frame, components(call, component, signal)?))
     };
@@ -151,8 +151,8 @@ pub unsafe extern "C" fn pdn_model_set_gravity(
 ///
 /// @param model  the model; not NULL
 /// @param acceleration_1  component along global axis 1 [length / time^2], copied; NULL for none
-/// @param acceleration_2  component along global axis 2, likewise
-/// @param acceleration_3  component along global axis 3, likewise
+/// @param acceleration_2  component along global axis 2, copied; NULL for none
+/// @param acceleration_3  component along global axis 3, copied; NULL for none
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_VALUE,
 ///     PDN_ERR_STRUCT_SIZE
 ///
@@ -224,7 +224,7 @@ pub unsafe extern "C" fn pdn_model_add_distributed_load(
     load: *mut i32,
 ) -> pdn_status {
     let read = |call: &Call, model: &Model| {
-        let first_element = model::beam_element(model, first_element, "first_element")?;
+        let first_element = Kind::BeamElement.index_in(model, first_element, "first_element")?;
         let elements = usize::try_from(elements)
             .map_err(|_| Error::size("elements", "at least 1", elements))?;
         let frame = load_frame(frame)?;
@@ -267,7 +267,7 @@ pub unsafe extern "C" fn pdn_model_add_distributed_load(
 ///     along the line; read for PDN_FRAME_UNTWISTED only, else it may be NULL
 /// @param fractions  array of length [count]: places, as fractions of the reference length of these
 ///     elements, ascending from 0 to 1; two at the same place make a jump
-/// @param signals  array of length [6 count], each initialised, copied: those of the first place,
+/// @param signals  array of shape 6 x [count], each initialised, copied: those of the first place,
 ///     PDN_FORCE_1 to PDN_FORCE_3 [force / length] and PDN_MOMENT_1 to PDN_MOMENT_3 [force], then
 ///     those of the next. One that was only initialised is zero
 /// @param count  number of places, at least 2
@@ -293,7 +293,7 @@ pub unsafe extern "C" fn pdn_model_add_load_at_places(
     guard(|call| {
         const MOST: usize = 100_000;
         let mut model = call.exclusive(model, "model")?;
-        let first_element = model::beam_element(&model, first_element, "first_element")?;
+        let first_element = Kind::BeamElement.index_in(&model, first_element, "first_element")?;
         let elements = usize::try_from(elements)
             .map_err(|_| Error::size("elements", "at least 1", elements))?;
         let frame = beam_load_frame(call, frame, axis_2)?;

@@ -62,13 +62,14 @@ pub struct pdn_march_options {
     /// Start from this solution of a model with the same nodes and joints, at start_time: an
     /// equilibrium, a periodic motion or another march; NULL to start otherwise. Default NULL.
     pub initial: *const pdn_solution,
-    /// Start from these positions, 3 x nodes; NULL for those of the reference configuration. Needs
-    /// rotations. Default NULL.
+    /// Start from these positions, an array of shape 3 x [nodes]; NULL for those of the reference
+    /// configuration. Needs rotations. Default NULL.
     pub positions: *const f64,
-    /// Rotation matrices of the same start, 9 x nodes, each column by column. Default NULL.
+    /// Rotation matrices of the same start, an array of shape 9 x [nodes], each column by column.
+    /// Default NULL.
     pub rotations: *const f64,
-    /// Velocities of the same start, 6 x nodes: velocity of each node and its angular velocity,
-    /// inertial frame; NULL for none. Default NULL.
+    /// Velocities of the same start, an array of shape 6 x [nodes]: velocity of each node and its
+    /// angular velocity, inertial frame; NULL for none. Default NULL.
     pub velocities: *const f64,
     /// Told of each step, and about ten times a second while one lasts; may cancel. Default NULL.
     pub progress: pdn_progress_fn,

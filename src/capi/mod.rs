@@ -44,7 +44,8 @@
 //! Then `PDN_BLESS=1 cargo test --test header` rewrites the header, and
 //! `PDN_BLESS=1 ctest -R symbols` appends to `tests/abi/symbols.txt`. `script/cpp_interface`,
 //! `script/fortran_interface` and `script/python_interface` bind it in C++, Fortran and Python, by
-//! the words of its comment for shapes, lengths and what may be NULL.
+//! the words of its comment for shapes and lengths, what may be NULL, what a number usually is (it
+//! may then be left out), and which function or field tells a number of entries.
 //!
 //! * Read *every* argument, outputs included, before the core is called; set outputs last. So a
 //!   failed call has written nothing.

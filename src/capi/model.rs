@@ -47,11 +47,6 @@ pub struct pdn_frame {
 
 const _: () = assert!(size_of::<pdn_frame>() == 96);
 
-/// The node that an id names.
-pub(super) fn node(model: &Model, id: i32, name: &str) -> Result<usize> {
-    Kind::Node.index_in(model, id, name)
-}
-
 /// The nodes that an array of ids names, which may be of length 0.
 pub(super) fn nodes(
     call: &Call,
@@ -60,7 +55,7 @@ pub(super) fn nodes(
     name: &str,
 ) -> Result<Vec<usize>> {
     let ids = call.slice(ids, count, name)?.iter().enumerate();
-    ids.map(|(i, &id)| node(model, id, &format!("{name}[{i}]")))
+    ids.map(|(i, &id)| Kind::Node.index_in(model, id, &format!("{name}[{i}]")))
         .collect()
 }
 
@@ -71,26 +66,6 @@ pub(super) fn body(model: &Model, id: i32, name: &str) -> Result<Option<usize>> 
     }
     let node = Kind::Node.index_or("PDN_GROUND or ", id, model.node_count(), name);
     node.map(Some)
-}
-
-/// The joint that an id names.
-pub(super) fn joint(model: &Model, id: i32, name: &str) -> Result<usize> {
-    Kind::Joint.index_in(model, id, name)
-}
-
-/// The force that an id names.
-pub(super) fn force(model: &Model, id: i32, name: &str) -> Result<usize> {
-    Kind::Force.index_in(model, id, name)
-}
-
-/// The beam element that an id names.
-pub(super) fn beam_element(model: &Model, id: i32, name: &str) -> Result<usize> {
-    Kind::BeamElement.index_in(model, id, name)
-}
-
-/// The shell element that an id names.
-pub(super) fn shell_element(model: &Model, id: i32, name: &str) -> Result<usize> {
-    Kind::ShellElement.index_in(model, id, name)
 }
 
 /// Body of a function that adds a thing of a kind, which `add` makes of what it reads, and gives
@@ -306,7 +281,7 @@ pub unsafe extern "C" fn pdn_model_node_frame(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let node = self::node(&model, node, "node")?;
+        let node = Kind::Node.index_in(&model, node, "node")?;
         let frame = call.out(frame, "frame")?;
         if let Some(motion) = model.node(node) {
             frame.set(motion.into());
@@ -321,8 +296,9 @@ pub unsafe extern "C" fn pdn_model_node_frame(
 ///
 /// @param model  the model; not NULL
 /// @param position  array of length 3: its position, global coordinates [length]
-/// @param rotation  array of length 9: its axes, a rotation matrix column by column, the columns
-///     being axes 1, 2, 3 in global coordinates; NULL for axes parallel to the global ones
+/// @param rotation  array of shape 3 x 3: its axes, a rotation matrix column by column, the
+///     columns being axes 1, 2, 3 in global coordinates; NULL for axes parallel to the global
+///     ones
 /// @param node  the node's id; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE
 ///
@@ -356,8 +332,8 @@ pub unsafe extern "C" fn pdn_model_add_node(
 /// @param model  the model; not NULL
 /// @param mass  mass, positive [mass]
 /// @param centre  array of length 3: centre of mass, global coordinates [length]
-/// @param inertia  array of length 9: moments of inertia about the centre of mass, in global axes,
-///     3 x 3, symmetric and positive semi-definite [mass * length^2]
+/// @param inertia  array of shape 3 x 3: moments of inertia about the centre of mass, in global
+///     axes, symmetric and positive semi-definite [mass * length^2]
 /// @param node  the node's id; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE
 ///
@@ -391,7 +367,7 @@ pub unsafe extern "C" fn pdn_model_add_rigid_body(
 /// @param mass  mass, zero or more [mass]
 /// @param centre  array of length 3: its centre, global coordinates; need not be at the node
 ///     [length]
-/// @param inertia  array of length 9: moments of inertia about the centre, in global axes, 3 x 3,
+/// @param inertia  array of shape 3 x 3: moments of inertia about the centre, in global axes,
 ///     symmetric and positive semi-definite [mass * length^2]; NULL for a point mass
 /// @param id  id of the inertia; may be NULL if it is not wanted; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
@@ -408,7 +384,7 @@ pub unsafe extern "C" fn pdn_model_add_mass(
     id: *mut i32,
 ) -> pdn_status {
     let read = |call: &Call, model: &Model| {
-        let node = self::node(model, node, "node")?;
+        let node = Kind::Node.index_in(model, node, "node")?;
         let mass = call.number(mass, "mass")?;
         let centre = vector(call, centre, "centre")?;
         let inertia = call
@@ -431,7 +407,7 @@ pub unsafe extern "C" fn pdn_model_add_mass(
 /// @param model  the model; not NULL
 /// @param node  id of the node
 /// @param frame  the frame that the matrix is about and resolved in; NULL for the node's own
-/// @param matrix  array of length 36: 6 x 6, symmetric and positive semi-definite
+/// @param matrix  array of shape 6 x 6: symmetric and positive semi-definite
 ///     [mass, mass * length,     mass * length^2]
 /// @param id  id of the inertia; may be NULL if it is not wanted; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
@@ -447,7 +423,7 @@ pub unsafe extern "C" fn pdn_model_add_inertia(
     id: *mut i32,
 ) -> pdn_status {
     let read = |call: &Call, model: &Model| {
-        let node = self::node(model, node, "node")?;
+        let node = Kind::Node.index_in(model, node, "node")?;
         let frame = if frame.is_null() {
             None
         } else {

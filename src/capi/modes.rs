@@ -276,8 +276,8 @@ pub unsafe extern "C" fn pdn_modes_get(
 /// @param mode  number of the mode, from 0
 /// @param nodes  array of length [count]: ids of the nodes
 /// @param count  number of nodes
-/// @param real  array of length [6 x count]: real part, components fastest
-/// @param imaginary  array of length [6 x count]: imaginary part; may be NULL
+/// @param real  array of shape 6 x [count]: real part, components fastest
+/// @param imaginary  array of shape 6 x [count]: imaginary part; may be NULL
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_SIZE
 ///
 /// Threads: like `const`.

@@ -49,7 +49,8 @@ fn grid(call: &Call, period: f64, points: usize) -> Result<TimeGrid> {
 /// @param times  array of length [count]: times wanted, anywhere
 /// @param count  number of times
 /// @param position  array of shape 3 x [count]; may be NULL
-/// @param rotation  array of shape 9 x [count], each matrix column by column; may be NULL
+/// @param rotation  array of shape 9 x [count], each matrix column by column; may
+///     be NULL
 /// @param velocity  array of shape 6 x [count]: linear and angular velocity along the moving axes;
 ///     may be NULL
 /// @param acceleration  array of shape 6 x [count]: time derivative of velocity; may be NULL
@@ -124,8 +125,10 @@ pub unsafe extern "C" fn pdn_motion_interpolate(
 /// @param velocity  array of shape 6 x [points]: linear and angular velocity along the moving axes;
 ///     may be NULL
 /// @param acceleration  array of shape 6 x [points]: time derivative of velocity; may be NULL
-/// @param velocity_tangent  matrix of 6 N x 6 N, column-major; may be NULL
-/// @param acceleration_tangent  matrix of 6 N x 6 N, column-major; may be NULL
+/// @param velocity_tangent  array of shape [6 * points] x [6 * points]: derivatives of
+///     velocity by u, column by column; may be NULL
+/// @param acceleration_tangent  array of shape [6 * points] x [6 * points]: derivatives of
+///     acceleration by u, column by column; may be NULL
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_VALUE
 ///
 /// Threads: any.

@@ -142,7 +142,8 @@ pub unsafe extern "C" fn pdn_model_parameter(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let found = &model.parameters()[self::parameter(&model, parameter, "parameter")?];
+        let found =
+            &model.parameters()[Kind::Parameter.index_in(&model, parameter, "parameter")?];
         let value = call.out(value, "value")?;
         if let Some(scale) = call.out_optional(scale, "scale")? {
             scale.set(found.scale);
@@ -173,7 +174,8 @@ pub unsafe extern "C" fn pdn_model_parameter_name(
 ) -> usize {
     guard_or(0, |call| {
         let model = call.shared(model, "model")?;
-        let found = &model.parameters()[self::parameter(&model, parameter, "parameter")?];
+        let found =
+            &model.parameters()[Kind::Parameter.index_in(&model, parameter, "parameter")?];
         copy_message(&found.name, buffer, capacity);
         Ok(found.name.len())
     })
@@ -206,11 +208,6 @@ pub unsafe extern "C" fn pdn_model_find_parameter(
         out.set(Kind::Parameter.id(found));
         Ok(())
     })
-}
-
-/// The parameter of an id.
-pub(super) fn parameter(model: &Model, id: i32, name: &str) -> Result<usize> {
-    Kind::Parameter.index_in(model, id, name)
 }
 
 /// An id that may be that of a parameter of some model, or the frequency.
@@ -253,7 +250,7 @@ pub unsafe extern "C" fn pdn_model_move_number(
 ) -> pdn_status {
     guard(|call| {
         let mut model = call.exclusive(model, "model")?;
-        let parameter = self::parameter(&model, parameter, "parameter")?;
+        let parameter = Kind::Parameter.index_in(&model, parameter, "parameter")?;
         let power = count(power, "power")?;
         let target = target(&model, number, id, power)?;
         model.move_by_parameter(parameter, target, factor)
@@ -343,7 +340,7 @@ pub unsafe extern "C" fn pdn_model_move_signal(
 ) -> pdn_status {
     guard(|call| {
         let mut model = call.exclusive(model, "model")?;
-        let parameter = self::parameter(&model, parameter, "parameter")?;
+        let parameter = Kind::Parameter.index_in(&model, parameter, "parameter")?;
         let place = signal_place(&model, place, id, component)?;
         let parts = [
             (PDN_PART_MEAN, SignalPart::Mean),
@@ -373,7 +370,7 @@ pub unsafe extern "C" fn pdn_model_set_parameter(
 ) -> pdn_status {
     guard(|call| {
         let mut model = call.exclusive(model, "model")?;
-        let id = self::parameter(&model, parameter, "parameter")?;
+        let id = Kind::Parameter.index_in(&model, parameter, "parameter")?;
         model.set_parameter(id, value)
     })
 }
@@ -413,7 +410,7 @@ pub unsafe extern "C" fn pdn_model_declare_of_phase(
 ) -> pdn_status {
     guard(|call| {
         let mut model = call.exclusive(model, "model")?;
-        let force = super::model::force(&model, force, "force")?;
+        let force = Kind::Force.index_in(&model, force, "force")?;
         model.declare_of_phase(force)
     })
 }
@@ -440,7 +437,7 @@ pub unsafe extern "C" fn pdn_solution_parameter(
             PDN_FREQUENCY => std::f64::consts::TAU / solution.grid().period(),
             id => {
                 let model = solution.model();
-                model.parameters()[self::parameter(model, id, "parameter")?].value
+                model.parameters()[Kind::Parameter.index_in(model, id, "parameter")?].value
             }
         });
         Ok(())

@@ -129,11 +129,12 @@ pub struct pdn_periodic_options {
     /// bodies, joints, forces and prescribed coordinates, and the same beams, which may have other
     /// meshes. If grid_points is 0, the first grid is that of this solution. Default NULL.
     pub initial: *const pdn_solution,
-    /// Start from these positions, 3 x N x nodes: coordinates fastest, then grid points, then
-    /// nodes; NULL to start otherwise. Needs guess_rotations, and grid_points or harmonics. Default
-    /// NULL.
+    /// Start from these positions, an array of shape 3 x [N] x [nodes]: coordinates fastest, then
+    /// grid points, then nodes; NULL to start otherwise. Needs guess_rotations, and grid_points or
+    /// harmonics. Default NULL.
     pub guess_positions: *const f64,
-    /// Rotation matrices of the same start, 9 x N x nodes, each column by column. Default NULL.
+    /// Rotation matrices of the same start, an array of shape 9 x [N] x [nodes], each column by
+    /// column. Default NULL.
     pub guess_rotations: *const f64,
     /// Told of each iteration, and while one lasts, see progress_interval; may cancel. Default
     /// NULL.

@@ -376,7 +376,7 @@ const MOST_HARMONICS: usize = 1 << 20;
 /// @param rate  array of length C: growth per unit of time, of what gains turns; may be NULL
 /// @param cosines  array of shape C x [harmonics], components of each harmonic together; may be
 ///     NULL
-/// @param sines  as cosines; may be NULL
+/// @param sines  array of shape C x [harmonics], components of each harmonic together; may be NULL
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID,
 ///     PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (of a trajectory; the quaternion of a node that makes
 ///     an odd number of turns), PDN_ERR_OVERFLOW

@@ -41,7 +41,7 @@ fn terms(
     let pairs = joints.iter().zip(coordinates).zip(coefficients);
     let term = |(i, ((&joint, &which), &coefficient)): (usize, ((&i32, &i32), &f64))| {
         let at = JointCoordinate {
-            joint: model::joint(model, joint, &format!("joints[{i}]"))?,
+            joint: Kind::Joint.index_in(model, joint, &format!("joints[{i}]"))?,
             coordinate: coordinate(which, &format!("coordinates[{i}]"))?,
         };
         Ok((at, coefficient))

@@ -136,7 +136,8 @@ pub unsafe extern "C" fn pdn_sensitivities_free(sensitivities: *mut pdn_sensitiv
 /// @param quantity  one component of a quantity, initialised by PDN_INIT; not NULL
 /// @param feature  PDN_FEATURE_MEAN, PDN_FEATURE_COSINE, PDN_FEATURE_SINE, PDN_FEATURE_VALUE,
 ///     PDN_FEATURE_LARGEST or PDN_FEATURE_SMALLEST
-/// @param at  the number of the harmonic, from 1, or the time; not looked at for all else
+/// @param at  the number of the harmonic, from 1, or the time; usually 0 for all else, where it is
+///     not looked at
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID,
 ///     PDN_ERR_VALUE
 ///

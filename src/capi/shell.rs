@@ -4,7 +4,7 @@ use super::call::Call;
 use super::guard::{guard, init};
 use super::id::Kind;
 use super::load::{components, load_frame};
-use super::model::{self, add_object, choose, number, pdn_model, shell_element};
+use super::model::{self, add_object, choose, number, pdn_model};
 use super::options::Options;
 use super::pointer::check_pointer;
 use super::section::{read_struct, update_struct};
@@ -349,7 +349,7 @@ pub unsafe extern "C" fn pdn_model_add_shell_element(
 /// @param degree_v  polynomial degree along v, likewise
 /// @param join  1: nodes on the edges of the surface at the same place as nodes of shells that are
 ///     there, or on another of its own edges, are these, so that shells are joined and closed; 0:
-///     all nodes are new
+///     all nodes are new; usually 1
 /// @param section  the section; not NULL
 /// @param placement  how it lies on the nodes; NULL for the defaults
 /// @param shell  the shell's elements and numbers of nodes; written on success only
@@ -391,14 +391,14 @@ pub unsafe extern "C" fn pdn_model_add_shell(
 /// 1 and 2 evenly.
 ///
 /// @param model  the model; not NULL
-/// @param points  array of length 3 x [count]: positions of the nodes, global coordinates, those
+/// @param points  array of shape 3 x [count]: positions of the nodes, global coordinates, those
 ///     along v first [length]
 /// @param count  number of nodes: (elements_u degree_u + 1) (elements_v degree_v + 1)
 /// @param elements_u  number of elements along u, 1 to 100000
 /// @param elements_v  number of elements along v, likewise
 /// @param degree_u  polynomial degree along u, 1 to 15
 /// @param degree_v  polynomial degree along v, likewise
-/// @param join  0 or 1, as ::pdn_model_add_shell has it
+/// @param join  0 or 1, as ::pdn_model_add_shell has it; usually 1
 /// @param section  the section; not NULL
 /// @param placement  how it lies on the nodes; NULL for the defaults
 /// @param shell  the shell's elements and numbers of nodes; written on success only
@@ -450,7 +450,7 @@ pub unsafe extern "C" fn pdn_model_add_shell_grid(
 /// nodes.
 ///
 /// @param model  the model; not NULL
-/// @param points  array of length 3 x [point_count]: positions, global coordinates [length]
+/// @param points  array of shape 3 x [point_count]: positions, global coordinates [length]
 /// @param point_count  number of points
 /// @param cells  array of length [count]: numbers of the points of each cell from 0 on, one cell
 ///     after the other
@@ -606,7 +606,7 @@ pub(super) fn patch_node(model: &Model, shell: &pdn_shell, [u, v]: [i32; 2]) -> 
     ];
     let last = [shell.elements_u, shell.elements_v].map(|n| n as usize - 1);
     let [i, j] = [0, 1].map(|d| ([u, v][d] / degrees[d].max(1)).min(last[d]));
-    let first = shell_element(model, shell.first_element, "first_element");
+    let first = Kind::ShellElement.index_in(model, shell.first_element, "first_element");
     let first = first.map_err(|e| e.within("shell"))?;
     let element = first.saturating_add(i.saturating_mul(last[1] + 1).saturating_add(j));
     let [xi, eta] = [
@@ -671,7 +671,7 @@ pub unsafe extern "C" fn pdn_model_shell_node(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let element = shell_element(&model, element, "element")?;
+        let element = Kind::ShellElement.index_in(&model, element, "element")?;
         let shell = &model.shells[element];
         let along = place(xi, shell.sides[0] as i32, "xi")?;
         let across = place(eta, shell.sides[1] as i32, "eta")?;
@@ -734,7 +734,7 @@ pub unsafe extern "C" fn pdn_model_add_shell_load(
     load: *mut i32,
 ) -> pdn_status {
     let read = |call: &Call, model: &Model| {
-        let first_element = shell_element(model, first_element, "first_element")?;
+        let first_element = Kind::ShellElement.index_in(model, first_element, "first_element")?;
         let elements = usize::try_from(elements)
             .map_err(|_| Error::size("elements", "at least 1", elements))?;
         let place = load_place(place)?;
@@ -775,7 +775,7 @@ pub unsafe extern "C" fn pdn_model_set_shell_prestress(
 ) -> pdn_status {
     guard(|call| {
         let mut model = call.exclusive(model, "model")?;
-        let first = shell_element(&model, first_element, "first_element")?;
+        let first = Kind::ShellElement.index_in(&model, first_element, "first_element")?;
         let most = model.shell_element_count() - first;
         let count = usize::try_from(elements).unwrap_or(0);
         if !(1..=most).contains(&count) {

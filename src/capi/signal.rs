@@ -209,11 +209,12 @@ pub unsafe extern "C" fn pdn_signal_set_constant(
 /// 2 pi); all else must have rate zero.
 ///
 /// @param signal  an initialised signal; not NULL
-/// @param mean  mean, in the unit of what the signal drives
-/// @param rate  growth for a unit of time
+/// @param mean  mean, in the unit of what the signal drives; usually 0
+/// @param rate  growth for a unit of time; usually 0
 /// @param cosines  array of length [count]; may be NULL if count is 0. Read by the call that takes
 ///     the signal: must be there until then
-/// @param sines  array of length [count]; likewise
+/// @param sines  array of length [count]; may be NULL if count is 0. Read by the call that takes
+///     the signal: must be there until then
 /// @param count  number of harmonics
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE
 ///
@@ -250,7 +251,7 @@ pub unsafe extern "C" fn pdn_signal_set_harmonics(
 /// The samples are equally spaced over one period T of the solve, the end of which is not repeated.
 ///
 /// @param signal  an initialised signal; not NULL
-/// @param rate  growth for a unit of time, as in ::pdn_signal_set_harmonics
+/// @param rate  growth for a unit of time, as in ::pdn_signal_set_harmonics; usually 0
 /// @param samples  array of length [count], without the growth, in the unit of what the signal
 ///     drives; not NULL. Read by the call that takes the signal: must be there until then
 /// @param count  number of samples, at least 1, odd or even

@@ -387,7 +387,7 @@ pub unsafe extern "C" fn pdn_solution_history(
 ///
 /// @param solution  the solution; not NULL
 /// @param amplitudes  array of length [count], harmonics 0, 1, ..., (N - 1) / 2
-/// @param count  (N + 1) / 2, for N grid points
+/// @param count  (pdn_diagnostics.grid_points + 1) / 2
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_OVERFLOW
 ///
 /// Threads: like `const`.
@@ -493,7 +493,7 @@ pub unsafe extern "C" fn pdn_solution_grid_times(
     })
 }
 
-fn require_count(count: usize, expected: usize) -> Result<()> {
+pub(super) fn require_count(count: usize, expected: usize) -> Result<()> {
     if count != expected {
         return Err(Error::size("count", expected, count));
     }

@@ -8,7 +8,7 @@ use super::last_error::copy_message;
 use super::model;
 use super::options::Options;
 use super::periodic::{PROGRESS_INTERVAL, pdn_progress_fn, watch};
-use super::solution::{outcome_code, pdn_solution};
+use super::solution::{outcome_code, pdn_solution, require_count};
 use super::status::pdn_status;
 use crate::error::Result;
 use crate::solve::{Stability, StabilityOptions, Verdict};
@@ -300,12 +300,31 @@ pub unsafe extern "C" fn pdn_stability_get(
     })
 }
 
+/// Number of times of the shapes of modes.
+///
+/// @param stability  the multipliers; not NULL
+/// @param out  the number; written on success only
+/// @return PDN_OK, PDN_ERR_NULL
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_stability_time_count(
+    stability: *const pdn_stability,
+    out: *mut usize,
+) -> pdn_status {
+    guard(|call| {
+        let stability = call.shared(stability, "stability")?;
+        call.out(out, "out")?.set(stability.times().len());
+        Ok(())
+    })
+}
+
 /// Times of the shapes of modes: ends of equal steps over the period, the last is the period.
 ///
 /// @param stability  the multipliers; not NULL
-/// @param times  array of length [count]; may be NULL if count is 0
-/// @param count  number of times to be written, no more than there are
-/// @param steps  the number of times that there are; may be NULL; written on success only
+/// @param times  array of length [count]
+/// @param count  their number, as ::pdn_stability_time_count tells
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE
 ///
 /// Threads: like `const`.
@@ -315,17 +334,11 @@ pub unsafe extern "C" fn pdn_stability_times(
     stability: *const pdn_stability,
     times: *mut f64,
     count: usize,
-    steps: *mut usize,
 ) -> pdn_status {
     guard(|call| {
-        let stability = call.shared(stability, "stability")?;
-        let all = stability.times();
-        let wanted = call.out_slice(times, count, count.min(all.len()), "times")?;
-        let steps = call.out_optional(steps, "steps")?;
-        wanted.set(&all[..count]);
-        if let Some(steps) = steps {
-            steps.set(all.len());
-        }
+        let all = call.shared(stability, "stability")?.times();
+        require_count(count, all.len())?;
+        call.out_slice(times, count, count, "times")?.set(&all);
         Ok(())
     })
 }
@@ -339,9 +352,9 @@ pub unsafe extern "C" fn pdn_stability_times(
 /// @param stability  the multipliers; not NULL
 /// @param number  number of the multiplier, from 0
 /// @param node  id of the node
-/// @param steps  number of times, as ::pdn_stability_times tells
-/// @param real  array of length [6 x steps]: real part, components fastest
-/// @param imaginary  array of length [6 x steps]: imaginary part; may be NULL
+/// @param steps  number of times, as ::pdn_stability_time_count tells
+/// @param real  array of shape 6 x [steps]: real part, components fastest
+/// @param imaginary  array of shape 6 x [steps]: imaginary part; may be NULL
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_SIZE
 ///
 /// Threads: like `const`.

@@ -4,7 +4,7 @@ use super::callback::Callback;
 use super::guard::guard;
 use super::id::Kind;
 use super::load::load_frame;
-use super::model::{pdn_model, shell_element};
+use super::model::pdn_model;
 use super::shell::load_place;
 use super::status::pdn_status;
 use super::user_force::{gives_tangents, pdn_destroy_fn};
@@ -139,7 +139,7 @@ pub unsafe extern "C" fn pdn_model_add_surface_force(
 ) -> pdn_status {
     guard(|call| {
         let mut model = call.exclusive(model, "model")?;
-        let first = shell_element(&model, first_element, "first_element")?;
+        let first = Kind::ShellElement.index_in(&model, first_element, "first_element")?;
         let elements = usize::try_from(elements)
             .map_err(|_| Error::size("elements", "at least 1", elements))?;
         let place = load_place(place)?;

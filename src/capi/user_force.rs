@@ -102,8 +102,9 @@ pub struct pdn_force_values {
     /// Array of shape 6 x [node_count]: force on each node and moment about it
     /// [force, force * length].
     pub forces: *mut f64,
-    /// Array of shape 6 [node_count] x 6 [node_count], column by column: derivatives of forces by
-    /// displacements and turns. NULL if tangents are not wanted, or were said not to be given.
+    /// Array of shape 6 x [node_count] x 6 x [node_count], column by column: derivatives of
+    /// forces by displacements and turns. NULL if tangents are not wanted, or were said not to be
+    /// given.
     pub by_motion: *mut f64,
     /// The same by velocities and angular velocities; NULL where by_motion is.
     pub by_velocity: *mut f64,
@@ -426,7 +427,7 @@ pub unsafe extern "C" fn pdn_model_check_tangents(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let force = super::model::force(&model, force, "force")?;
+        let force = Kind::Force.index_in(&model, force, "force")?;
         let period = call.number(period, "period")?;
         let out = call.out_struct(check, "check")?;
         let TangentCheck {

@@ -125,13 +125,16 @@ static void sections_and_twist_vary(void)
     stations.twists = NULL;
     const double boundaries[5] = {0, 0.125, 0.5, 0.75, 1}, amiss[3] = {0, 0.25, 1};
     const pdn_beam before = beam;
-    CHECK_STATUS(pdn_model_add_beam_between(model, &line, &stations, amiss, 2, 2, &beam),
+    CHECK_STATUS(pdn_model_add_beam_between(model, &line, &stations, amiss, 3, 2, &beam),
                  PDN_ERR_VALUE);
     CHECK_MESSAGE("boundaries: expected one at 0.5, where the section jumps, got none");
-    CHECK_STATUS(pdn_model_add_beam_between(model, &line, &stations, NULL, 4, 2, &beam),
+    CHECK_STATUS(pdn_model_add_beam_between(model, &line, &stations, NULL, 5, 2, &beam),
                  PDN_ERR_NULL);
+    CHECK_STATUS(pdn_model_add_beam_between(model, &line, &stations, boundaries, 1, 2, &beam),
+                 PDN_ERR_SIZE);
+    CHECK_MESSAGE("count: expected at least 2, got 1");
     CHECK(memcmp(&before, &beam, sizeof beam) == 0);
-    CHECK_STATUS(pdn_model_add_beam_between(model, &line, &stations, boundaries, 4, 2, &beam),
+    CHECK_STATUS(pdn_model_add_beam_between(model, &line, &stations, boundaries, 5, 2, &beam),
                  PDN_OK);
     CHECK(beam.first == NODE(16) && beam.last == NODE(24) && beam.elements == 4);
     for (node = 0; node <= 4; node++) {

@@ -82,9 +82,9 @@ static void closed_form(void)
     CHECK(multiplier.error < 1e-8 && multiplier.trivial == 0);
 
     /* The mode is constant: the exponent tells all. */
-    CHECK_STATUS(pdn_stability_times(stability, NULL, 0, &steps), PDN_OK);
+    CHECK_STATUS(pdn_stability_time_count(stability, &steps), PDN_OK);
     CHECK(steps > 5 && steps <= 5000);
-    CHECK_STATUS(pdn_stability_times(stability, times, steps, NULL), PDN_OK);
+    CHECK_STATUS(pdn_stability_times(stability, times, steps), PDN_OK);
     CHECK(fabs(times[steps - 1] - period) < 1e-12);
     CHECK_STATUS(pdn_stability_shape(stability, 0, body, steps, real, imaginary), PDN_OK);
     for (k = 0; k < steps; k++) {
@@ -101,8 +101,10 @@ static void closed_form(void)
     REFUSED(pdn_stability_get(stability, 2, &multiplier), PDN_ERR_ID, "number: ");
     REFUSED(pdn_stability_get(stability, -1, &multiplier), PDN_ERR_ID, "number: ");
     REFUSED(pdn_stability_get(stability, 0, NULL), PDN_ERR_NULL, "out: ");
-    REFUSED(pdn_stability_times(stability, NULL, 1, &out.count), PDN_ERR_NULL, "times: ");
-    REFUSED(pdn_stability_times(stability, times, steps + 1, &out.count), PDN_ERR_SIZE, "times: ");
+    REFUSED(pdn_stability_time_count(stability, NULL), PDN_ERR_NULL, "out: ");
+    REFUSED(pdn_stability_times(stability, NULL, steps), PDN_ERR_NULL, "times: ");
+    REFUSED(pdn_stability_times(stability, times, steps + 1), PDN_ERR_SIZE, "count: ");
+    REFUSED(pdn_stability_times(stability, times, 1), PDN_ERR_SIZE, "count: ");
     REFUSED(pdn_stability_shape(stability, 2, body, steps, real, NULL), PDN_ERR_ID, "number: ");
     REFUSED(pdn_stability_shape(stability, 0, NODE(1), steps, real, NULL), PDN_ERR_ID, "node: ");
     REFUSED(pdn_stability_shape(stability, 0, body, 1, real, NULL), PDN_ERR_SIZE, "steps: ");

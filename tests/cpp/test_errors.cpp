@@ -235,7 +235,7 @@ static void solutions()
     REFUSED(s.harmonics({pdn::Kind::joint_reaction, 3}, 1), PDN_ERR_ID, "quantity.object: ");
     REFUSED(s.harmonics({pdn::Kind::beam_force, 0}, 1), PDN_ERR_ID, "quantity.object: ");
     REFUSED(s.sample<4>({pdn::Kind::node_position, pdn::first_node}, {0}), PDN_ERR_SIZE,
-            "quantity: expected one of 4 components, got 3");
+            "quantity: expected 4 components, got 3");
 }
 
 static void motions()

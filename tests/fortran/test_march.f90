@@ -77,9 +77,9 @@ contains
         call stability%get(0, multiplier)
         call near(hypot(multiplier%real, multiplier%imaginary), exp(-0.2_dp*period), 1e-10_dp, &
             'multiplier')
-        call stability%times(steps=steps)
-        allocate (at(steps), mode(6, steps), other(6, steps))
         call stability%times(at)
+        call stability%time_count(steps)
+        call check(size(at) == steps, 'number of times of modes')
         call near(at(steps), period, 1e-12_dp, 'times of modes')
         call stability%shape(0, body, mode, other)
         call near(maxval(hypot(mode, other)), 1.0_dp, 1e-10_dp, 'mode')
@@ -88,8 +88,9 @@ contains
         errmsg = 'none'
         call stability%get(2, multiplier, stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_ID, 'number: ')
-        call stability%shape(0, body, mode(:5, :), stat=stat, errmsg=errmsg)
-        call refused(stat, errmsg, PDN_ERR_SIZE, 'real: ')
+        call stability%shape(0, 99, mode, stat=stat, errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_ID, 'node: ')
+        call check(size(mode, 2) == steps, 'a mode that is left as it was')
         call shooting%solve_stability(stability, stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_NOT_AVAILABLE, 'stability: ')
 

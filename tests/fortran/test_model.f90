@@ -83,6 +83,8 @@ contains
         call check(size(residuals) == figures%iterations .and. size(increments) == size(steps), &
             'history')
         call check(increments(size(increments)) < 1e-9_dp, 'last increment')
+        call solution%history(increments=steps)
+        call check(all(steps == increments), 'one of three that is wanted')
         call solution%decay(amplitudes)
         call check(size(amplitudes) == 16, 'decay')
         call solution%grid_times(times)

@@ -243,7 +243,7 @@ contains
         call check(count == 0, 'loads of beams')
         call model%add_beam_between(pdn_straight_line(origin, axis_1, axis_2), [steel()], &
             [real(dp) ::], 2, beam, stat=stat, errmsg=errmsg)
-        call refused(stat, errmsg, PDN_ERR_SIZE, 'elements: ')
+        call refused(stat, errmsg, PDN_ERR_SIZE, 'count: ')
 
         call model%add_shell(pdn_parallelogram_surface(origin, axis_1, axis_2), 1, 1, 2, 2, &
             pdn_isotropic_shell_section(0.02_dp, 3e6_dp, 0.3_dp, 1200.0_dp), shell)
