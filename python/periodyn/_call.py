@@ -1,13 +1,14 @@
 """Calls of the library: its file, and exceptions for its statuses."""
 
-import pathlib
+import os.path  # not pathlib, which takes half as long to load as all of this package
 import threading
 
 from ._abi import ffi
 
-_HERE = pathlib.Path(__file__).parent
-_FILES = [_HERE / name for name in ("libperiodyn.so", "libperiodyn.dylib", "periodyn.dll")]
-LIBRARY = ffi.dlopen(str(next((file for file in _FILES if file.exists()), _FILES[0])))
+_HERE = os.path.dirname(os.path.abspath(__file__))
+_FILES = [os.path.join(_HERE, name)
+          for name in ("libperiodyn.so", "libperiodyn.dylib", "periodyn.dll")]
+LIBRARY = ffi.dlopen(next(filter(os.path.exists, _FILES), _FILES[0]))
 
 
 class Error(Exception):

@@ -1,7 +1,6 @@
 """What handles have in Python beyond the functions of C."""
 
 import os
-import pathlib
 
 import numpy
 
@@ -39,15 +38,17 @@ class Saved(Handle):
         with tempfile.TemporaryDirectory() as directory:
             path = os.path.join(directory, "saved")
             self.save(path)
-            return _loaded, (type(self), pathlib.Path(path).read_bytes())
+            with open(path, "rb") as file:
+                return _loaded, (type(self), file.read())
 
 
 def _loaded(kind, saved):
     import tempfile
 
     with tempfile.TemporaryDirectory() as directory:
-        path = pathlib.Path(directory) / "saved"
-        path.write_bytes(saved)
+        path = os.path.join(directory, "saved")
+        with open(path, "wb") as file:
+            file.write(saved)
         return kind.load(path)
 
 
