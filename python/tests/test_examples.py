@@ -55,3 +55,6 @@ def test_the_page_shows_the_examples():
     shown = re.findall(r"```python\n(.*?)```", (ROOT / "docs/python.md").read_text(), re.S)
     files = [(EXAMPLES / name).read_text() for name in ("pendulum.py", "rotor_blade.py")]
     assert shown == [file.partition('"""\n\n')[2] for file in files]
+    # That of python/README.md is the first of them.
+    text = (ROOT / "python/README.md").read_text()
+    assert re.findall(r"```python\n(.*?)```", text, re.S) == shown[:1]
