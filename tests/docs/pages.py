@@ -92,8 +92,10 @@ def picture_fault(file):
     if not data.startswith(b"\x89PNG\r\n\x1a\n"):
         return "neither PNG nor SVG"
     at, pixels, ended = 8, b"", False
-    while at < len(data) and not ended:
+    while at + 8 <= len(data) and not ended:
         length, kind = struct.unpack_from(">I4s", data, at)
+        if at + 12 + length > len(data):
+            return "cut off"
         body = data[at + 8:at + 8 + length]
         if zlib.crc32(kind + body) != struct.unpack_from(">I", data, at + 8 + length)[0]:
             return "damaged"
