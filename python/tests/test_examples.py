@@ -5,6 +5,8 @@ import re
 import subprocess
 import sys
 
+import numpy as np
+
 ROOT = pathlib.Path(__file__).parents[2]
 EXAMPLES = ROOT / "python/examples"
 
@@ -29,6 +31,18 @@ def test_spatial_four_bar():
     # what c_examples/spatial_four_bar prints
     assert run("spatial_four_bar.py").splitlines()[-1] == (
         "Torque of the motor: -10.6654 N m at 0.718 T to 8.5642 N m at 0.390 T")
+
+
+def test_engine(tmp_path):
+    picture = tmp_path / "engine.png"
+    rows = np.genfromtxt(run("engine.py", picture, "2").splitlines(), skip_header=1)
+    np.testing.assert_array_equal(rows[:, 0], [1000, 2000, 3000, 4000, 5000, 6000])
+    # c_examples/engine.c at three of these speeds; what is left is the tolerance
+    wanted = [[132.61, 233.69, 0.2219, 11.643], [132.62, 23.98, 0.2049, 6.261],
+              [132.42, 807.39, 0.3269, 24.327]]
+    np.testing.assert_allclose(rows[[0, 2, 5], 1:3], np.array(wanted)[:, :2], atol=0.05)
+    np.testing.assert_allclose(rows[[0, 2, 5], 3:], np.array(wanted)[:, 2:], rtol=0.02)
+    assert picture.read_bytes().startswith(b"\x89PNG")
 
 
 def test_nrel_5mw_campbell(tmp_path):
