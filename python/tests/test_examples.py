@@ -53,6 +53,16 @@ def test_nrel_5mw_campbell(tmp_path):
         assert abs(found - wanted) <= 3e-3 * wanted
 
 
+def test_nrel_5mw_rotor(tmp_path):
+    picture = tmp_path / "rotor.png"
+    printed = run("nrel_5mw_rotor.py", picture).splitlines()
+    assert printed[0].startswith("CONVERGED")
+    # docs/wind_turbine.md
+    for line, wanted in zip(printed[2:], ([1073.60, 3558.20, 71.25], [8982.46, 949.28, 290.54])):
+        np.testing.assert_allclose([float(word) for word in line.split()[1:4]], wanted, atol=0.05)
+    assert picture.read_bytes().startswith(b"\x89PNG")
+
+
 def test_shells(tmp_path):
     picture = tmp_path / "shells.png"
     printed = dict(line.split(": ") for line in run("shells.py", picture).splitlines())
