@@ -57,7 +57,8 @@ def import_time(modules):
     script = (f"import time, sys\nfor name in {modules[:-1]}: __import__(name)\n"
               f"start = time.process_time()\n__import__('{modules[-1]}')\n"
               f"print(time.process_time() - start)")
-    done = subprocess.run([sys.executable, "-c", script], check=True, capture_output=True, text=True)
+    done = subprocess.run([sys.executable, "-c", script], check=True, capture_output=True,
+                          text=True)
     return float(done.stdout)
 
 
