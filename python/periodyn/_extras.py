@@ -63,12 +63,12 @@ class Outcome:
     """What solves have in common."""
 
     @property
-    def converged(self):
+    def converged(self) -> bool:
         """Whether this is a solution: converged, on the last grid tried at least."""
         return self.outcome_name in ("CONVERGED", "TOLERANCE_NOT_MET")
 
     @property
-    def outcome_name(self):
+    def outcome_name(self) -> str:
         """Name of the outcome, such as "CONVERGED"."""
         from ._interface import OUTCOMES
 
@@ -93,7 +93,7 @@ class ModesExtras(Outcome, Handle):
         return self.get(mode)
 
     @property
-    def frequencies(self):
+    def frequencies(self) -> numpy.ndarray:
         """Oscillations per unit of time of each mode."""
         return numpy.array([mode.frequency for mode in self])
 
@@ -110,7 +110,7 @@ class StabilityExtras(Outcome, Handle):
         return self.get(number)
 
     @property
-    def multipliers(self):
+    def multipliers(self) -> numpy.ndarray:
         """The multipliers as complex numbers."""
         return numpy.array([complex(m.real, m.imaginary) for m in self])
 
@@ -131,7 +131,7 @@ class BranchExtras(Handle):
         return self.get(point)
 
     @property
-    def parameters(self):
+    def parameters(self) -> numpy.ndarray:
         """The parameter at each point."""
         return numpy.array([point.parameter for point in self])
 
