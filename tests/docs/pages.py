@@ -31,6 +31,8 @@ BLOCKS = {
     ("python/README.md", "python"): "python/tests/test_examples.py",
     ("docs/cluster.md", "python"): "python/tests/test_executors.py",
 }
+# These run the first block of a language alone.
+OF_ONE_BLOCK = {"tests/readme/CMakeLists.txt"}
 # What blocks of C on a page take for granted, in their order.
 AROUND = {
     "docs/families.md": [
@@ -150,8 +152,11 @@ def numbers_apart(text, other):
 def fault_of_block(page, language, number, block, options):
     """What is wrong with a block of a language, by its number among those of the page."""
     if (page, language) in BLOCKS:
-        test = (ROOT / BLOCKS[page, language]).read_text(encoding="utf-8")
-        return None if page in test else f"{BLOCKS[page, language]} does not read the page"
+        test = BLOCKS[page, language]
+        if number > 0 and test in OF_ONE_BLOCK:
+            return f"{test} runs the first alone"
+        there = page in (ROOT / test).read_text(encoding="utf-8")
+        return None if there else f"{test} does not read the page"
     if language == "c":
         return fault_of_c(page, number, block, options)
     if language == "sh":
