@@ -26,6 +26,9 @@ function(add_docs_programs language suffix printed)
             set_target_properties(${name} PROPERTIES
                 Fortran_MODULE_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/${name}")
             target_compile_options(${name} PRIVATE ${pdn_fortran_warnings})
+            if(pdn_fortran_warnings) # functions of the caller take what they may not need
+                target_compile_options(${name} PRIVATE -Wno-unused-dummy-argument)
+            endif()
         else()
             target_compile_features(${name} PRIVATE cxx_std_17)
             target_compile_options(${name} PRIVATE ${pdn_warnings})
