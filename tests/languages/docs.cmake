@@ -24,7 +24,7 @@ function(add_docs_programs language suffix printed)
         if(language STREQUAL "fortran")
             # Modules of programs beside each other.
             set_target_properties(${name} PROPERTIES
-                Fortran_MODULE_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/${name}")
+                Fortran_MODULE_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/${name}_modules")
             target_compile_options(${name} PRIVATE ${pdn_fortran_warnings})
             if(pdn_fortran_warnings) # functions of the caller take what they may not need
                 target_compile_options(${name} PRIVATE -Wno-unused-dummy-argument)
