@@ -1,4 +1,4 @@
-"""Quantities over a period as vibration and fatigue want them: histories, root mean squares, cycles.
+"""Quantities over a period for vibration and fatigue: histories, root mean squares, cycles.
 
     from periodyn import loads
 
