@@ -128,7 +128,7 @@ static inline int check_by_march(const pdn_model *model, const pdn_solution *sol
         goto done;
     }
     printf("Marched for a period in %d steps, node %d gets %.1e away; the march is right to %.1e\n",
-           (int)(2 * steps), (int)node, away, apart / 3);
+           (int)(2 * steps), (int)(node - PDN_FIRST_NODE), away, apart / 3);
     failed = away > apart;
 done:
     pdn_solution_free(march[0]);

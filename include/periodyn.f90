@@ -5730,9 +5730,12 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_joint, status
 
-        status = pdn_model_add_rigid_joint(self%c, first, second, point, joint)
+        status = pdn_model_add_rigid_joint(self%c, first, second, point, found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_rigid_joint
 
@@ -5744,9 +5747,12 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_joint, status
 
-        status = pdn_model_add_revolute(self%c, first, second, point, axis, joint)
+        status = pdn_model_add_revolute(self%c, first, second, point, axis, found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_revolute
 
@@ -5758,9 +5764,12 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_joint, status
 
-        status = pdn_model_add_prismatic(self%c, first, second, point, axis, joint)
+        status = pdn_model_add_prismatic(self%c, first, second, point, axis, found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_prismatic
 
@@ -5772,9 +5781,12 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_joint, status
 
-        status = pdn_model_add_cylindrical(self%c, first, second, point, axis, joint)
+        status = pdn_model_add_cylindrical(self%c, first, second, point, axis, found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_cylindrical
 
@@ -5786,9 +5798,12 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_joint, status
 
-        status = pdn_model_add_screw(self%c, first, second, point, axis, pitch, joint)
+        status = pdn_model_add_screw(self%c, first, second, point, axis, pitch, found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_screw
 
@@ -5800,9 +5815,12 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_joint, status
 
-        status = pdn_model_add_planar(self%c, first, second, point, normal, joint)
+        status = pdn_model_add_planar(self%c, first, second, point, normal, found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_planar
 
@@ -5814,9 +5832,12 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_joint, status
 
-        status = pdn_model_add_free_joint(self%c, first, second, point, joint)
+        status = pdn_model_add_free_joint(self%c, first, second, point, found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_free_joint
 
@@ -5828,9 +5849,12 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_joint, status
 
-        status = pdn_model_add_spherical(self%c, first, second, point, joint)
+        status = pdn_model_add_spherical(self%c, first, second, point, found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_spherical
 
@@ -5843,10 +5867,13 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_joint, status
 
         status = pdn_model_add_universal(self%c, first, second, point, first_arm, second_arm, &
-            joint)
+            found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_universal
 
@@ -5859,9 +5886,13 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_joint, status
 
-        status = pdn_model_add_strut(self%c, first, second, first_point, second_point, joint)
+        status = pdn_model_add_strut(self%c, first, second, first_point, second_point, &
+            found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_strut
 
@@ -5874,10 +5905,13 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_joint, status
 
         status = pdn_model_add_joint(self%c, kind, first, second, first_frame, second_frame, &
-            joint)
+            found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_joint
 
@@ -5891,10 +5925,13 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_joint, status
 
         status = pdn_model_add_screw_between(self%c, first, second, first_frame, second_frame, &
-            pitch, joint)
+            pitch, found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_screw_between
 

@@ -16,13 +16,15 @@ def class_name(c_name):
     return "".join(part.capitalize() for part in c_name.removeprefix("pdn_").split("_"))
 
 
-def write(path, text):
-    """Writes a file; with --check only says whether it is what would be written."""
-    script, name = Path(sys.argv[0]).name, path.relative_to(ROOT)
-    changed = not path.exists() or path.read_text() != text
+def write(*files):
+    """Writes files, paths and texts; with --check only says whether they are what would be
+    written."""
+    changed = [file for file in files if not file[0].exists() or file[0].read_text() != file[1]]
     if sys.argv[1:] == ["--check"]:
-        sys.exit(f"{name} is not what periodyn.h says: run script/{script}" if changed else 0)
-    if changed:
+        names = ", ".join(str(path.relative_to(ROOT)) for path, _ in changed)
+        script = Path(sys.argv[0]).name
+        sys.exit(f"{names}: not what periodyn.h says: run script/{script}" if changed else 0)
+    for path, text in changed:
         path.write_text(text)
 
 

@@ -1,13 +1,15 @@
 """Calls of the library: its file, and exceptions for its statuses."""
 
-import pathlib
+import os.path  # not pathlib, which takes half as long to load as all of this package
+import sys
 import threading
 
 from ._abi import ffi
 
-_HERE = pathlib.Path(__file__).parent
-_FILES = [_HERE / name for name in ("libperiodyn.so", "libperiodyn.dylib", "periodyn.dll")]
-LIBRARY = ffi.dlopen(str(next((file for file in _FILES if file.exists()), _FILES[0])))
+_HERE = os.path.dirname(os.path.abspath(__file__))
+_FILES = [os.path.join(_HERE, name)
+          for name in ("libperiodyn.so", "libperiodyn.dylib", "periodyn.dll")]
+LIBRARY = ffi.dlopen(next(filter(os.path.exists, _FILES), _FILES[0]))
 
 
 class Error(Exception):
@@ -34,7 +36,10 @@ def call(function, *arguments):
         what a callback raised, or Error
     """
     RAISED.exception = None
-    status = function(*arguments)
+    try:
+        status = function(*arguments)
+    except (TypeError, OverflowError) as error:
+        raise Error(_unfit(function, arguments, error, sys._getframe(1))) from None
     raised, RAISED.exception = RAISED.exception, None
     if raised is not None:
         raise raised
@@ -42,6 +47,19 @@ def call(function, *arguments):
         name = ffi.string(LIBRARY.pdn_status_name(status)).decode()
         message = filled(LIBRARY.pdn_last_error)
         raise Error(message or ffi.string(LIBRARY.pdn_status_message(status)).decode(), name)
+
+
+def _unfit(function, arguments, error, caller):
+    """Which argument of a call is none of the type that C wants, by its name in the caller."""
+    for kind, argument in zip(ffi.typeof(function).args, arguments):
+        try:
+            if kind.kind == "primitive":
+                ffi.new(ffi.getctype(kind, "*"))[0] = argument
+        except (TypeError, OverflowError):
+            names = (name for name, value in caller.f_locals.items() if value is argument)
+            wanted = "a number" if kind.cname == "double" else "a whole number"
+            return f"{next(names, 'argument')}: expected {wanted}, got {argument!r}"
+    return str(error)
 
 
 def filled(function, *first):

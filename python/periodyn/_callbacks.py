@@ -22,7 +22,7 @@ def _failed(kind, value, _traceback):
 def _taker(name, for_c):
     """What makes a callback of a function of Python, and keeps it alive in a list."""
 
-    def take(function, kept):
+    def take(function, kept, _name=None):
         if not callable(function):
             raise Error(f"{name}: expected a function, got {function!r}")
         handle = ffi.new_handle(function)
@@ -196,14 +196,14 @@ _told = _taker("progress", _progress)
 _followed = _taker("progress", _branch)
 
 
-def progress(function, kept):
+def progress(function, kept, _name=None):
     """Progress for nobody still lets a solve be interrupted by Ctrl-C; True prints it."""
     if function is None or function is False:
         return _told(_nobody, kept)
     return _told(Printed() if function is True else function, kept)
 
 
-def branch(function, kept):
+def branch(function, kept, _name=None):
     """As progress, of a branch: told of each point, with its number."""
     if function is None or function is False:
         return _followed(_nobody, kept)

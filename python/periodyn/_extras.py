@@ -1,7 +1,6 @@
 """What handles have in Python beyond the functions of C."""
 
 import os
-import pathlib
 
 import numpy
 
@@ -39,15 +38,17 @@ class Saved(Handle):
         with tempfile.TemporaryDirectory() as directory:
             path = os.path.join(directory, "saved")
             self.save(path)
-            return _loaded, (type(self), pathlib.Path(path).read_bytes())
+            with open(path, "rb") as file:
+                return _loaded, (type(self), file.read())
 
 
 def _loaded(kind, saved):
     import tempfile
 
     with tempfile.TemporaryDirectory() as directory:
-        path = pathlib.Path(directory) / "saved"
-        path.write_bytes(saved)
+        path = os.path.join(directory, "saved")
+        with open(path, "wb") as file:
+            file.write(saved)
         return kind.load(path)
 
 
@@ -62,12 +63,12 @@ class Outcome:
     """What solves have in common."""
 
     @property
-    def converged(self):
+    def converged(self) -> bool:
         """Whether this is a solution: converged, on the last grid tried at least."""
         return self.outcome_name in ("CONVERGED", "TOLERANCE_NOT_MET")
 
     @property
-    def outcome_name(self):
+    def outcome_name(self) -> str:
         """Name of the outcome, such as "CONVERGED"."""
         from ._interface import OUTCOMES
 
@@ -92,7 +93,7 @@ class ModesExtras(Outcome, Handle):
         return self.get(mode)
 
     @property
-    def frequencies(self):
+    def frequencies(self) -> numpy.ndarray:
         """Oscillations per unit of time of each mode."""
         return numpy.array([mode.frequency for mode in self])
 
@@ -109,13 +110,27 @@ class StabilityExtras(Outcome, Handle):
         return self.get(number)
 
     @property
-    def multipliers(self):
+    def multipliers(self) -> numpy.ndarray:
         """The multipliers as complex numbers."""
         return numpy.array([complex(m.real, m.imaginary) for m in self])
 
 
 class SolutionExtras(Outcome, Saved):
     """A solution, in Python."""
+
+    def as_dict(self) -> dict:
+        """What the report says, as numbers and texts that `json.dump` writes; what is not known, or
+        not finite, is None."""
+        figures = self.diagnostics().as_dict()
+        numbers = {name: value if numpy.isfinite(value) else None
+                   for name, value in figures.items()}
+        rows = zip(*(numbers_of.tolist() for numbers_of in self.history()))
+        return {
+            "outcome": self.outcome_name,
+            "report": self.report(),
+            "figures": numbers,
+            "iterations": [dict(zip(("residual", "increment", "step"), row)) for row in rows],
+        }
 
 
 class BranchExtras(Handle):
@@ -130,7 +145,7 @@ class BranchExtras(Handle):
         return self.get(point)
 
     @property
-    def parameters(self):
+    def parameters(self) -> numpy.ndarray:
         """The parameter at each point."""
         return numpy.array([point.parameter for point in self])
 

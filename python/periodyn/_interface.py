@@ -2224,7 +2224,7 @@ class Branch(BranchExtras):
             quantities: quantities, each
             path: name of the file, UTF-8; an existing file is replaced
         """
-        quantities, _count = as_structs("Quantity", quantities or [], self._kept)
+        quantities, _count = as_structs("Quantity", quantities or [], self._kept, "quantities")
         call(lib.pdn_branch_write_csv, self._c, quantities, _count, text(path))
 
     def write_campbell(
@@ -2347,7 +2347,7 @@ class Conditions(Handle):
             scale: what counts as 1 in it, such as the largest that it may be; usually 0, for
                 what does in such quantities of the mechanism
         """
-        quantity = of_type("Quantity")(quantity, self._kept)
+        quantity = of_type("Quantity")(quantity, self._kept, "quantity")
         call(lib.pdn_conditions_add_quantity, self._c, quantity, feature, at, value, scale)
 
     def add_joint_coordinate(self, joint, coordinate, value):
@@ -2562,7 +2562,7 @@ class Model(ModelExtras):
         Returns:
             id: id of the inertia
         """
-        frame = of_type("Frame")(frame, self._kept)
+        frame = of_type("Frame")(frame, self._kept, "frame")
         matrix = reals("matrix", matrix, (6, 6), turned=True)
         id = ffi.new("int32_t *")
         call(lib.pdn_model_add_inertia, self._c, node, frame, pointer(matrix), id)
@@ -2582,7 +2582,7 @@ class Model(ModelExtras):
         Returns:
             prescribed: id of the prescribed coordinate
         """
-        signal = as_signal(signal, self._kept)
+        signal = as_signal(signal, self._kept, "signal")
         prescribed = ffi.new("int32_t *")
         call(lib.pdn_model_prescribe, self._c, joint, coordinate, signal, prescribed)
         return prescribed[0]
@@ -2914,13 +2914,13 @@ class Model(ModelExtras):
             second: id of the second node, or GROUND; not the same body
             first_frame: frame fixed to the first body, where it is in the reference
                 configuration
-            second_frame: frame fixed to the second body,
+            second_frame: frame fixed to the second body, likewise
 
         Returns:
             joint: the joint's id
         """
-        first_frame = of_type("Frame")(first_frame, self._kept)
-        second_frame = of_type("Frame")(second_frame, self._kept)
+        first_frame = of_type("Frame")(first_frame, self._kept, "first_frame")
+        second_frame = of_type("Frame")(second_frame, self._kept, "second_frame")
         joint = ffi.new("int32_t *")
         call(
             lib.pdn_model_add_joint,
@@ -2947,15 +2947,15 @@ class Model(ModelExtras):
             second: id of the second node, or GROUND; not the same body
             first_frame: frame fixed to the first body, where it is in the reference
                 configuration
-            second_frame: frame fixed to the second body,
+            second_frame: frame fixed to the second body, likewise
             pitch: advance for one turn [length]; positive for a right-handed thread, negative
                 for a left-handed one, not zero
 
         Returns:
             joint: the joint's id
         """
-        first_frame = of_type("Frame")(first_frame, self._kept)
-        second_frame = of_type("Frame")(second_frame, self._kept)
+        first_frame = of_type("Frame")(first_frame, self._kept, "first_frame")
+        second_frame = of_type("Frame")(second_frame, self._kept, "second_frame")
         joint = ffi.new("int32_t *")
         call(
             lib.pdn_model_add_screw_between,
@@ -3009,7 +3009,7 @@ class Model(ModelExtras):
         coordinates = ids("coordinates", coordinates)
         like("coordinates", coordinates, (_count,))
         coefficients = reals("coefficients", coefficients, (_count,))
-        signal = as_signal(signal, self._kept)
+        signal = as_signal(signal, self._kept, "signal")
         relation = ffi.new("int32_t *")
         call(
             lib.pdn_model_add_relation,
@@ -3043,7 +3043,7 @@ class Model(ModelExtras):
         """
         nodes = ids("nodes", nodes)
         _count = len(nodes)
-        section = of_type("Section")(section, self._kept)
+        section = of_type("Section")(section, self._kept, "section")
         element = ffi.new("int32_t *")
         call(
             lib.pdn_model_add_beam_element,
@@ -3077,7 +3077,7 @@ class Model(ModelExtras):
         start = reals("start", start, (3,))
         end = reals("end", end, (3,))
         axis_2 = reals("axis_2", axis_2, (3,))
-        section = of_type("Section")(section, self._kept)
+        section = of_type("Section")(section, self._kept, "section")
         elements = whole("elements", elements)
         degree = whole("degree", degree)
         beam = Beam()
@@ -3116,8 +3116,8 @@ class Model(ModelExtras):
         Returns:
             Beam: ids of what was made
         """
-        line = of_type("Line")(line, self._kept)
-        stations = of_type("Stations")(stations, self._kept)
+        line = of_type("Line")(line, self._kept, "line")
+        stations = of_type("Stations")(stations, self._kept, "stations")
         elements = whole("elements", elements)
         degree = whole("degree", degree)
         beam = Beam()
@@ -3140,8 +3140,8 @@ class Model(ModelExtras):
         Returns:
             Beam: ids of what was made
         """
-        line = of_type("Line")(line, self._kept)
-        stations = of_type("Stations")(stations, self._kept)
+        line = of_type("Line")(line, self._kept, "line")
+        stations = of_type("Stations")(stations, self._kept, "stations")
         boundaries = reals("boundaries", boundaries, (None,))
         _count = len(boundaries)
         degree = whole("degree", degree)
@@ -3174,7 +3174,7 @@ class Model(ModelExtras):
         Returns:
             load: the load's id
         """
-        signal = as_signal(signal, self._kept)
+        signal = as_signal(signal, self._kept, "signal")
         load = ffi.new("int32_t *")
         call(lib.pdn_model_add_load, self._c, node, frame, component, signal, load)
         return load[0]
@@ -3203,9 +3203,9 @@ class Model(ModelExtras):
             acceleration_3: component along global axis 3, copied; None for none; a number, a
                 Signal, or a function of time
         """
-        acceleration_1 = as_signal(acceleration_1, self._kept)
-        acceleration_2 = as_signal(acceleration_2, self._kept)
-        acceleration_3 = as_signal(acceleration_3, self._kept)
+        acceleration_1 = as_signal(acceleration_1, self._kept, "acceleration_1")
+        acceleration_2 = as_signal(acceleration_2, self._kept, "acceleration_2")
+        acceleration_3 = as_signal(acceleration_3, self._kept, "acceleration_3")
         call(
             lib.pdn_model_set_gravity_signals,
             self._c,
@@ -3248,7 +3248,7 @@ class Model(ModelExtras):
         Returns:
             load: the load's id, a beam load's
         """
-        signal = as_signal(signal, self._kept)
+        signal = as_signal(signal, self._kept, "signal")
         fractions, factors, _count = together(fractions=fractions, factors=factors)
         load = ffi.new("int32_t *")
         call(
@@ -3470,8 +3470,8 @@ class Model(ModelExtras):
         nodes = ids("nodes", nodes)
         _count = len(nodes)
         n_xi = whole("n_xi", n_xi)
-        section = of_type("ShellSection")(section, self._kept)
-        placement = of_type("ShellPlacement")(placement, self._kept)
+        section = of_type("ShellSection")(section, self._kept, "section")
+        placement = of_type("ShellPlacement")(placement, self._kept, "placement")
         element = ffi.new("int32_t *")
         call(
             lib.pdn_model_add_shell_element,
@@ -3517,13 +3517,13 @@ class Model(ModelExtras):
         Returns:
             Shell: the shell's elements and numbers of nodes
         """
-        surface = of_type("Surface")(surface, self._kept)
+        surface = of_type("Surface")(surface, self._kept, "surface")
         elements_u = whole("elements_u", elements_u)
         elements_v = whole("elements_v", elements_v)
         degree_u = whole("degree_u", degree_u)
         degree_v = whole("degree_v", degree_v)
-        section = of_type("ShellSection")(section, self._kept)
-        placement = of_type("ShellPlacement")(placement, self._kept)
+        section = of_type("ShellSection")(section, self._kept, "section")
+        placement = of_type("ShellPlacement")(placement, self._kept, "placement")
         shell = Shell()
         call(
             lib.pdn_model_add_shell,
@@ -3576,8 +3576,8 @@ class Model(ModelExtras):
         elements_v = whole("elements_v", elements_v)
         degree_u = whole("degree_u", degree_u)
         degree_v = whole("degree_v", degree_v)
-        section = of_type("ShellSection")(section, self._kept)
-        placement = of_type("ShellPlacement")(placement, self._kept)
+        section = of_type("ShellSection")(section, self._kept, "section")
+        placement = of_type("ShellPlacement")(placement, self._kept, "placement")
         shell = Shell()
         call(
             lib.pdn_model_add_shell_grid,
@@ -3631,8 +3631,8 @@ class Model(ModelExtras):
         _count = len(cells)
         points_of_cell = whole("points_of_cell", points_of_cell)
         degree = whole("degree", degree)
-        section = of_type("ShellSection")(section, self._kept)
-        placement = of_type("ShellPlacement")(placement, self._kept)
+        section = of_type("ShellSection")(section, self._kept, "section")
+        placement = of_type("ShellPlacement")(placement, self._kept, "placement")
         first_element = ffi.new("int32_t *")
         call(
             lib.pdn_model_add_shell_quadrilaterals,
@@ -3660,7 +3660,7 @@ class Model(ModelExtras):
         Returns:
             node: the node's id
         """
-        shell = of_type("Shell")(shell, self._kept)
+        shell = of_type("Shell")(shell, self._kept, "shell")
         node = ffi.new("int32_t *")
         call(lib.pdn_model_shell_patch_node, self._c, shell, u, v, node)
         return node[0]
@@ -3710,7 +3710,7 @@ class Model(ModelExtras):
         Returns:
             load: the load's id, a shell load's
         """
-        signal = as_signal(signal, self._kept)
+        signal = as_signal(signal, self._kept, "signal")
         load = ffi.new("int32_t *")
         call(
             lib.pdn_model_add_shell_load,
@@ -3798,7 +3798,7 @@ class Model(ModelExtras):
                 the nodes along u or v
             joints: number of joints
         """
-        shell = of_type("Shell")(shell, self._kept)
+        shell = of_type("Shell")(shell, self._kept, "shell")
         first_joint = ffi.new("int32_t *")
         joints = ffi.new("int32_t *")
         call(lib.pdn_model_add_rigid_edge, self._c, body, shell, edge, first_joint, joints)
@@ -3905,7 +3905,7 @@ class Model(ModelExtras):
         Returns:
             force: the force's id
         """
-        signal = as_signal(signal, self._kept)
+        signal = as_signal(signal, self._kept, "signal")
         force = ffi.new("int32_t *")
         call(lib.pdn_model_add_actuator, self._c, joint, coordinate, signal, force)
         return force[0]
@@ -3979,7 +3979,7 @@ class Model(ModelExtras):
         Returns:
             force: the force's id
         """
-        frame = of_type("Frame")(frame, self._kept)
+        frame = of_type("Frame")(frame, self._kept, "frame")
         matrix = reals("matrix", matrix, (6, 6), turned=True)
         force = ffi.new("int32_t *")
         call(
@@ -4014,7 +4014,7 @@ class Model(ModelExtras):
             second: id of the second node, or GROUND; not the same body
             first_frame: frame fixed to the first body, where it is in the reference
                 configuration
-            second_frame: frame fixed to the second body,
+            second_frame: frame fixed to the second body, likewise
             stiffness: array of shape (6, 6): stiffness [force / length, force, force * length];
                 with ANGLES_TILT_AND_SPIN its last column is zero
             damping: array of shape (6, 6): damping [the same times time]
@@ -4023,8 +4023,8 @@ class Model(ModelExtras):
         Returns:
             force: the force's id
         """
-        first_frame = of_type("Frame")(first_frame, self._kept)
-        second_frame = of_type("Frame")(second_frame, self._kept)
+        first_frame = of_type("Frame")(first_frame, self._kept, "first_frame")
+        second_frame = of_type("Frame")(second_frame, self._kept, "second_frame")
         stiffness = reals("stiffness", stiffness, (6, 6), turned=True)
         damping = reals("damping", damping, (6, 6), turned=True)
         force = ffi.new("int32_t *")
@@ -4395,7 +4395,7 @@ class Model(ModelExtras):
                 from 0 to 2; 0 for all else
             signal: the other signal, copied; a number, a Signal, or a function of time
         """
-        signal = as_signal(signal, self._kept)
+        signal = as_signal(signal, self._kept, "signal")
         call(lib.pdn_model_set_signal, self._c, place, id, component, signal)
 
     def set_force_numbers(self, force, number, values):
@@ -4421,7 +4421,7 @@ class Model(ModelExtras):
             section: the section; with mass where the elements' have some, without where they
                 have none
         """
-        section = of_type("Section")(section, self._kept)
+        section = of_type("Section")(section, self._kept, "section")
         call(lib.pdn_model_set_beam_section, self._c, first_element, elements, section)
 
     def set_label(self, kind, id, label=None):
@@ -5885,7 +5885,7 @@ class Sensitivities(Handle):
             at: the number of the harmonic, from 1, or the time; usually 0 for all else, where
                 it is not looked at
         """
-        quantity = of_type("Quantity")(quantity, self._kept)
+        quantity = of_type("Quantity")(quantity, self._kept, "quantity")
         call(lib.pdn_sensitivities_add_quantity, self._c, quantity, feature, at)
 
     def add_found(self, parameter):
@@ -6031,7 +6031,7 @@ class Solution(SolutionExtras):
         Returns:
             out, of shape (count, components): components of each time together
         """
-        quantity = of_type("Quantity")(quantity, self._kept)
+        quantity = of_type("Quantity")(quantity, self._kept, "quantity")
         times = reals("times", times, (None,))
         _count = len(times)
         components = max(lib.pdn_quantity_components(quantity), 1)
@@ -6055,7 +6055,7 @@ class Solution(SolutionExtras):
             cosines, of shape (harmonics, components): components of each harmonic together
             sines, of shape (harmonics, components): components of each harmonic together
         """
-        quantity = of_type("Quantity")(quantity, self._kept)
+        quantity = of_type("Quantity")(quantity, self._kept, "quantity")
         harmonics = whole("harmonics", harmonics)
         components = max(lib.pdn_quantity_components(quantity), 1)
         mean = reals.empty((components,))
@@ -6094,7 +6094,7 @@ class Solution(SolutionExtras):
             largest, of shape (components)
             time_of_largest, of shape (components)
         """
-        quantity = of_type("Quantity")(quantity, self._kept)
+        quantity = of_type("Quantity")(quantity, self._kept, "quantity")
         components = max(lib.pdn_quantity_components(quantity), 1)
         smallest = reals.empty((components,))
         time_of_smallest = reals.empty((components,))
@@ -6550,7 +6550,7 @@ class Table(TableExtras):
             label: columns are called `label.x` and so on; None for a name such as
                 `node3.position`
         """
-        quantity = of_type("Quantity")(quantity, self._kept)
+        quantity = of_type("Quantity")(quantity, self._kept, "quantity")
         call(lib.pdn_table_add_quantity, self._c, pointer(solution), quantity, text(label))
 
     def __init__(self, times):

@@ -9,14 +9,14 @@ from ._call import Error
 from ._numbers import like, reals
 
 
-def pointer(value, kept=None):
+def pointer(value, kept=None, name="argument"):
     """What C is given for an array, a handle or a struct; None stands for NULL."""
     if value is None:
         return ffi.NULL
     if isinstance(value, numpy.ndarray):
         return ffi.from_buffer("double[]", value)
     if not hasattr(value, "_c"):
-        raise Error(f"expected a handle of this package, got {value!r}")
+        raise Error(f"{name}: expected a handle of this package, got {value!r}")
     return value._c
 
 
@@ -131,7 +131,7 @@ class Reference(Field):
         return self if owner is None else owner._arrays.get(self.name)
 
     def __set__(self, owner, value):
-        taken = self.taken_by(value, owner._kept)
+        taken = self.taken_by(value, owner._kept, self.name)
         owner._arrays[self.name] = value
         owner._kept.append(value)
         if self.data is None:
@@ -153,24 +153,24 @@ class Structs(Field):
 
     def __set__(self, owner, values):
         values = list(values)
-        array, _ = as_structs(self.of, values, owner._kept)
+        array, _ = as_structs(self.of, values, owner._kept, self.name)
         owner._arrays[self.name] = values
         owner._kept.append(array)
         setattr(owner._c, self.name, array)
         setattr(owner._c, self.count, len(values))
 
 
-def of_type(name):
+def of_type(kind):
     """What takes a struct of this class, or its fields as a dictionary; None stands for NULL."""
 
-    def take(value, kept):
+    def take(value, kept, name):
         if value is None:
             return ffi.NULL
-        wanted = Struct._classes[name]
+        wanted = Struct._classes[kind]
         if isinstance(value, dict):
             value = wanted(**value)
         if not isinstance(value, wanted):
-            raise Error(f"expected a {name}, got {value!r}")
+            raise Error(f"{name}: expected a {kind}, got {value!r}")
         value._require_lengths()
         kept.append(value._kept)
         kept.append(value)
@@ -184,30 +184,30 @@ def points_of(options):
     return options.grid_points or 2 * options.harmonics + 1
 
 
-def as_signal(value, kept):
+def as_signal(value, kept, name):
     """A signal: one that was made, a number, or a function of time."""
     if value is None:
         return ffi.NULL
     made = Struct._classes["Signal"]
     if not isinstance(value, made):
         value = made().set_function(value) if callable(value) else made().set_constant(
-            _number(value))
-    return of_type("Signal")(value, kept)
+            _number(value, name))
+    return of_type("Signal")(value, kept, name)
 
 
-def _number(value):
+def _number(value, name):
     try:
         return float(value)
     except (TypeError, ValueError):
-        raise Error(f"expected a signal, a number or a function, got {value!r}") from None
+        raise Error(f"{name}: expected a signal, a number or a function, got {value!r}") from None
 
 
-def as_structs(name, values, kept):
+def as_structs(kind, values, kept, name):
     """An array of structs, and their number."""
     values = list(values)
-    array = ffi.new(f"{Struct._classes[name]._type}[]", max(len(values), 1))
+    array = ffi.new(f"{Struct._classes[kind]._type}[]", max(len(values), 1))
     for i, value in enumerate(values):
-        array[i] = of_type(name)(value, kept)[0]
+        array[i] = of_type(kind)(value, kept, f"{name}[{i}]")[0]
     return array, len(values)
 
 
@@ -217,6 +217,6 @@ def as_signals(values, shape, kept):
     like("signals", [[0] * len(row) for row in rows] or [[]], shape)
     array = ffi.new("pdn_signal[]", max(shape[0] * shape[1], 1))
     for i, value in enumerate(value for row in rows for value in row):
-        array[i] = as_signal(value, kept)[0]
+        array[i] = as_signal(value, kept, f"signals[{i // shape[1]}][{i % shape[1]}]")[0]
     return array
 

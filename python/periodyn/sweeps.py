@@ -1,7 +1,6 @@
 """Many solves, on several processes, of this machine or of many."""
 
 import os
-import pathlib
 import pickle
 
 from ._call import Error
@@ -74,10 +73,12 @@ class _Kept:
     """Results, in a directory if there is one."""
 
     def __init__(self, store, values):
-        self.directory = None if store is None else pathlib.Path(store)
-        self.results = {}
-        if self.directory is None:
+        self.directory, self.results = None, {}
+        if store is None:
             return
+        import pathlib  # loaded where it is needed, as it takes long
+
+        self.directory = pathlib.Path(store)
         self.directory.mkdir(parents=True, exist_ok=True)
         for i, value in enumerate(values):
             path = self.directory / f"{i}.pickle"

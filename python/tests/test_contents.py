@@ -83,3 +83,19 @@ def test_labels_and_contents():
     assert model.load_at(pdn.FIRST_LOAD) == (body, pdn.FRAME_SPACE)
     values = model.sample_signal(pdn.SIGNAL_OF_LOAD, pdn.FIRST_LOAD, pdn.FORCE_1, 1.0, [0, 0.5])
     np.testing.assert_array_equal(values, [0.5, 0.5])
+
+
+@pytest.mark.parametrize("along, axis_1, axis_2", [
+    ("x", [0, 1, 0], [0, 0, 1]), ("y", [1, 0, 0], [0, 0, -1]), ("z", [1, 0, 0], [0, 1, 0])])
+def test_axes_of_joints_made_by_an_axis(along, axis_1, axis_2):
+    # the table of docs/joints.md
+    model = pdn.Model()
+    body = model.add_rigid_body(1, [0, 0, 0], np.eye(3))
+    axis = np.eye(3)["xyz".index(along)]
+    for add in (model.add_revolute, model.add_prismatic, model.add_cylindrical, model.add_planar):
+        joint = model.joint(add(pdn.GROUND, body, [0, 0, 0], 2 * axis))
+        for rotation in (joint.first_rotation, joint.second_rotation):
+            np.testing.assert_allclose(rotation.T, [axis_1, axis_2, axis], atol=1e-15)
+    for add in (model.add_rigid_joint, model.add_spherical, model.add_free_joint):
+        np.testing.assert_array_equal(model.joint(add(pdn.GROUND, body, [1, 0, 0])).first_rotation,
+                                      np.eye(3))

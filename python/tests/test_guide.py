@@ -24,7 +24,9 @@ def masked(text):
     return lines
 
 
-def test_the_guide_tells_what_happens():
+def test_the_guide_tells_what_happens(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)  # where a block writes its picture
+    monkeypatch.setenv("MPLBACKEND", "Agg")
     blocks = re.findall(r"```(\w+)\n(.*?)```", GUIDE.read_text(encoding="utf-8"), re.S)
     names, printed, compared = {}, "", 0
     for kind, block in blocks:
@@ -38,6 +40,7 @@ def test_the_guide_tells_what_happens():
         elif kind == "report":
             assert masked(printed) == masked(block)
             compared += 1
+    assert (tmp_path / "rotor.png").read_bytes().startswith(b"\x89PNG")
     assert compared == len([kind for kind, _ in blocks if kind != "python"]) > 8
 
 
@@ -51,3 +54,10 @@ def test_the_tutorial_tells_what_happens(name):
 
 def test_the_tutorial_has_five_programs():
     assert len(PROGRAMS) == 5
+
+
+def test_the_rotor_takes_less_than_twenty_lines():
+    blocks = re.findall(r"```python\n(.*?)```", GUIDE.read_text(encoding="utf-8"), re.S)
+    rotor, = (block for block in blocks if "rotor.png" in block)
+    assert "import" in rotor  # by itself, as a program
+    assert len([line for line in rotor.splitlines() if line.strip()]) < 20

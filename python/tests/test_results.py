@@ -1,5 +1,6 @@
 """Results against closed forms, and their shapes."""
 
+import json
 import pickle
 
 import numpy as np
@@ -202,3 +203,22 @@ def test_marches_start_where_they_are_told():
     assert end == pytest.approx(np.cos(2.0), abs=2e-3)
     with pytest.raises(pdn.Error, match="positions: expected an array of 1 x 3, got 2 x 3"):
         model.solve_march(duration=1.0, step=0.01, positions=np.zeros((2, 3)))
+
+
+def test_reports_are_data_for_json():
+    model, *_ = oscillator()
+    solution = model.solve_periodic(2 * np.pi)
+    told = json.loads(json.dumps(solution.as_dict(), allow_nan=False))
+    figures = solution.diagnostics()
+    assert told["outcome"] == "CONVERGED" and told["report"] == solution.report()
+    assert told["figures"]["grid_points"] == figures.grid_points
+    assert told["figures"]["error_estimate"] == figures.error_estimate
+    assert len(told["iterations"]) == figures.iterations > 0
+    assert told["iterations"][-1]["increment"] == figures.last_increment
+    # also of what did not converge, of equilibria and of marches
+    stopped = model.solve_periodic(2 * np.pi, iteration_limit=1, tolerance=1e-300)
+    others = [stopped, model.solve_static(),
+              model.solve_march(duration=1, period=1, steps_per_period=10)]
+    for other in others:
+        assert json.loads(json.dumps(other.as_dict(), allow_nan=False))["outcome"] == (
+            other.outcome_name)

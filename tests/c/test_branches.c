@@ -157,6 +157,7 @@ static void folds(void)
     pdn_branch_free(locus);
     CHECK_STATUS(pdn_follow_locus(branch, 0, load, &options, &locus), PDN_ERR_NOT_AVAILABLE);
     CHECK_STATUS(pdn_follow_locus(branch, fold, PARAMETER(5), &options, &locus), PDN_ERR_ID);
+    CHECK_STATUS(pdn_follow_locus(branch, load, fold, &options, &locus), PDN_ERR_ID);
     CHECK_STATUS(pdn_follow_locus(branch, fold, PDN_FREQUENCY, &options, &locus), PDN_ERR_VALUE);
     pdn_branch_free(branch);
     pdn_model_free(model);

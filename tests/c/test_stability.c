@@ -107,6 +107,7 @@ static void closed_form(void)
     REFUSED(pdn_stability_times(stability, times, 1), PDN_ERR_SIZE, "count: ");
     REFUSED(pdn_stability_shape(stability, 2, body, steps, real, NULL), PDN_ERR_ID, "number: ");
     REFUSED(pdn_stability_shape(stability, 0, NODE(1), steps, real, NULL), PDN_ERR_ID, "node: ");
+    REFUSED(pdn_stability_shape(stability, body, 0, steps, real, NULL), PDN_ERR_ID, "number: ");
     REFUSED(pdn_stability_shape(stability, 0, body, 1, real, NULL), PDN_ERR_SIZE, "steps: ");
     REFUSED(pdn_stability_shape(stability, 0, body, steps, NULL, NULL), PDN_ERR_NULL, "real: ");
     pdn_stability_free(stability);

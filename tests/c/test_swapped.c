@@ -1,141 +1,14 @@
 /* Calls with two of their integers exchanged: unless both are numbers, or ids of things of one
  * kind, they are refused. */
-#include "near.h"
+#include "swapped_calls.h"
 #include <stdio.h>
 
 enum { MOST = 5 };
 
-static pdn_model *model;
-static pdn_solution *solution;
-static pdn_signal signal;
-static const double time_[1] = {0.3};
-static double values[16];
-
-static int32_t law(double time, double coordinate, double rate, double *effort, double *derivatives,
-                   void *user_data)
-{
-    (void)time, (void)rate, (void)derivatives, (void)user_data;
-    *effort = coordinate;
-    return 0;
-}
-
-static int32_t forces(const pdn_force_state *state, pdn_force_values *out, void *user_data)
-{
-    (void)state, (void)out, (void)user_data;
-    return 0;
-}
-
-static pdn_status prescribe(const int32_t *v)
-{
-    return pdn_model_prescribe(model, v[0], v[1], &signal, NULL);
-}
-
-static pdn_status add_joint(const int32_t *v)
-{
-    const pdn_frame at = {{1, 0, 0}, {1, 0, 0, 0, 1, 0, 0, 0, 1}};
-    int32_t joint;
-    return pdn_model_add_joint(model, v[0], v[1], v[2], &at, &at, &joint);
-}
-
-static pdn_status add_load(const int32_t *v)
-{
-    return pdn_model_add_load(model, v[0], v[1], v[2], &signal, NULL);
-}
-
-static pdn_status add_distributed_load(const int32_t *v)
-{
-    return pdn_model_add_distributed_load(model, v[0], v[1], v[2], v[3], &signal, NULL, NULL, 0,
-                                          NULL);
-}
-
-static pdn_status add_shell_load(const int32_t *v)
-{
-    return pdn_model_add_shell_load(model, v[0], v[1], v[2], v[3], v[4], &signal, NULL);
-}
-
-static pdn_status add_spring_damper(const int32_t *v)
-{
-    return pdn_model_add_spring_damper(model, v[0], v[1], 1, 0, 0, NULL);
-}
-
-static pdn_status add_nonlinear(const int32_t *v)
-{
-    return pdn_model_add_nonlinear_spring_damper(model, v[0], v[1], time_, 1, NULL, 0, 0, NULL);
-}
-
-static pdn_status add_actuator(const int32_t *v)
-{
-    return pdn_model_add_actuator(model, v[0], v[1], &signal, NULL);
-}
-
-static pdn_status add_viscoelastic(const int32_t *v)
-{
-    return pdn_model_add_viscoelastic(model, v[0], v[1], 1, 0, time_, time_, 1, NULL);
-}
-
-static pdn_status add_bushing(const int32_t *v)
-{
-    const pdn_frame at = {{0, 0, 0}, {1, 0, 0, 0, 1, 0, 0, 0, 1}};
-    const double none[36] = {0};
-    return pdn_model_add_bushing(model, v[0], v[1], &at, &at, none, none, v[2], NULL);
-}
-
-static pdn_status add_coordinate_law(const int32_t *v)
-{
-    return pdn_model_add_coordinate_law(model, v[0], v[1], v[2], law, NULL, NULL, NULL);
-}
-
-static pdn_status add_user_force(const int32_t *v)
-{
-    const int32_t node = NODE(0);
-    return pdn_model_add_user_force(model, &node, 1, v[0], v[1], forces, NULL, NULL, NULL);
-}
-
-static pdn_status set_label(const int32_t *v)
-{
-    return pdn_model_set_label(model, v[0], v[1], "a");
-}
-
-static pdn_status move_number(const int32_t *v)
-{
-    return pdn_model_move_number(model, v[0], v[1], v[2], v[3], 1);
-}
-
-static pdn_status move_signal(const int32_t *v)
-{
-    return pdn_model_move_signal(model, v[0], v[1], v[2], v[3], v[4], 1);
-}
-
-static pdn_status force_number(const int32_t *v)
-{
-    return pdn_model_force_number(model, v[0], v[1], v[2], values);
-}
-
-static pdn_status sample_signal(const int32_t *v)
-{
-    return pdn_model_sample_signal(model, v[0], v[1], v[2], 2, time_, 1, values);
-}
-
-static pdn_status sample(const int32_t *v)
-{
-    return pdn_solution_sample(solution, ASK(v[0], v[1], v[2]), time_, 1, values);
-}
-
-static pdn_status sample_in_frame(const int32_t *v)
-{
-    return pdn_solution_sample(solution, ASK(v[0], v[1], .frame = v[2]), time_, 1, values);
-}
-
-static pdn_status force_on_node(const int32_t *v)
-{
-    return pdn_solution_sample(solution, ASK(PDN_FORCE_ON_NODE, v[0], .node = v[1], .frame = v[2]),
-                               time_, 1, values);
-}
-
-static pdn_status harmonics(const int32_t *v)
-{
-    return pdn_solution_harmonics(solution, ASK(v[0], v[1]), 0, values, NULL, NULL, NULL);
-}
+#define CONTROLLER FORCE(3)
+#define LAW FORCE(4)
+#define USER_FORCE FORCE(5)
+#define SURFACE_FORCE FORCE(6)
 
 /* Whether these may well be meant the other way round. */
 static int are_alike(int32_t a, int32_t b)
@@ -203,11 +76,77 @@ static const struct {
     {"driving effort", sample, 3, {PDN_JOINT_DRIVING_EFFORT, JOINT(1), PDN_ROTATION}},
     {"reaction", sample_in_frame, 3, {PDN_JOINT_REACTION, JOINT(0), PDN_FRAME_FIRST}},
     {"force on node", force_on_node, 3, {FORCE(0), NODE(0), PDN_FRAME_SPACE}},
+    {"filtered", filtered, 2, {PDN_FILTER_EXPONENTIAL, 4}},
+    {"load at places", load_at_places, 3, {BEAM_ELEMENT(0), 1, PDN_FRAME_SPACE}},
+    {"surface force",
+     surface_force,
+     5,
+     {SHELL_ELEMENT(0), 1, PDN_SHELL_SURFACE, PDN_FRAME_SPACE, PDN_TANGENTS_DIFFERENCED}},
+    {"rigid edge", rigid_edge, 2, {NODE(0), PDN_SHELL_EDGE_END_XI}},
+    {"prestress", prestress, 2, {SHELL_ELEMENT(0), 1}},
+    {"beam section", beam_section, 2, {BEAM_ELEMENT(0), 1}},
+    {"signal set", set_signal, 3, {PDN_SIGNAL_OF_LOAD, LOAD(0), PDN_FORCE_1}},
+    {"force numbers", force_numbers, 2, {FORCE(0), PDN_NUMBER_STIFFNESS}},
+    {"controller bound", bind_controller, 2, {CONTROLLER, PDN_TANGENTS_DIFFERENCED}},
+    {"law bound", bind_law, 2, {LAW, PDN_TANGENTS_DIFFERENCED}},
+    {"user force bound",
+     bind_user_force,
+     3,
+     {USER_FORCE, PDN_FRAME_SPACE, PDN_TANGENTS_DIFFERENCED}},
+    {"surface force bound",
+     bind_surface_force,
+     4,
+     {SURFACE_FORCE, 1, PDN_FRAME_SPACE, PDN_TANGENTS_DIFFERENCED}},
+    {"label told", label_of, 2, {PDN_OBJECT_NODE, NODE(0)}},
+    {"coordinate of a controller", controller_coordinate, 2, {CONTROLLER, 0}},
+    {"state of a controller", controller_state, 2, {CONTROLLER, 0}},
+    {"node of a force", force_node, 2, {USER_FORCE, 0}},
+    {"node of a beam element", beam_element_node, 2, {BEAM_ELEMENT(0), 0}},
+    {"node of a shell element", shell_node, 3, {SHELL_ELEMENT(0), 0, 1}},
+    {"term of a relation", relation_term, 2, {RELATION(0), 0}},
+    {"factor of a beam load", beam_load_factor, 2, {BEAM_LOAD(1), 0}},
+    {"condition", condition, 2, {JOINT(0), PDN_ROTATION}},
+    {"end of equations", equations_end, 2, {-1, PDN_CONVERGED}},
     {"harmonics of a node", harmonics, 2, {PDN_NODE_POSITION, NODE(0)}},
     {"harmonics of a joint", harmonics, 2, {PDN_JOINT_REACTION, JOINT(0)}},
     {"harmonics of a beam", harmonics, 2, {PDN_BEAM_STRAIN, BEAM_ELEMENT(0)}},
     {"harmonics of a force", harmonics, 2, {PDN_FORCE_EFFORT, FORCE(0)}},
 };
+
+/* What functions act by, a load that varies along the beam, a relation, and a label. */
+static void add_more(pdn_model *out)
+{
+    const double ends[2] = {0, 1}, factors[2] = {1, 2}, one = 1;
+    const int32_t node = NODE(0), joint = JOINT(0), last = JOINT(2), coordinate = PDN_ROTATION;
+    const int32_t joints[2] = {JOINT(0), JOINT(2)};
+    const int32_t coordinates[2] = {PDN_ROTATION, PDN_ROTATION};
+    int32_t id;
+    CHECK_STATUS(pdn_model_add_controller(out, &joint, &coordinate, 1, &last, &coordinate, 1,
+                                          time_, &one, 1, PDN_TANGENTS_DIFFERENCED, control, NULL,
+                                          NULL, &id),
+                 PDN_OK);
+    CHECK(id == CONTROLLER);
+    CHECK_STATUS(pdn_model_add_coordinate_law(out, joint, coordinate, PDN_TANGENTS_DIFFERENCED, law,
+                                              NULL, NULL, &id),
+                 PDN_OK);
+    CHECK(id == LAW);
+    CHECK_STATUS(pdn_model_add_user_force(out, &node, 1, PDN_FRAME_SPACE, PDN_TANGENTS_DIFFERENCED,
+                                          forces, NULL, NULL, &id),
+                 PDN_OK);
+    CHECK(id == USER_FORCE);
+    CHECK_STATUS(pdn_model_add_surface_force(out, SHELL_ELEMENT(0), 1, PDN_SHELL_SURFACE,
+                                             PDN_FRAME_SPACE, PDN_TANGENTS_DIFFERENCED,
+                                             surface_forces, NULL, NULL, &id),
+                 PDN_OK);
+    CHECK(id == SURFACE_FORCE);
+    CHECK_STATUS(pdn_model_add_distributed_load(out, BEAM_ELEMENT(0), 1, PDN_FRAME_SPACE,
+                                                PDN_FORCE_1, &signal, ends, factors, 2, &id),
+                 PDN_OK);
+    CHECK(id == BEAM_LOAD(1));
+    CHECK_STATUS(pdn_model_add_relation(out, joints, coordinates, factors, 2, NULL, &id), PDN_OK);
+    CHECK(id == RELATION(0));
+    CHECK_STATUS(pdn_model_set_label(out, PDN_OBJECT_NODE, NODE(0), "named"), PDN_OK);
+}
 
 /* A body on a hinge, another that is driven, a third on one, a beam, and a shell. */
 static pdn_model *made(void)
@@ -216,13 +155,11 @@ static pdn_model *made(void)
     const double moments[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     const double stiffness[6] = {1e4, 1e4, 1e4, 10, 10, 10}, mass[4] = {1, 1e-2, 1e-2, 1e-2};
     int32_t body, i, id;
-    pdn_section section;
     pdn_shell_section plate;
     pdn_surface surface;
     pdn_line line;
     pdn_stations stations;
     pdn_beam beam;
-    pdn_shell shell;
     pdn_model *out;
     CHECK_STATUS(pdn_model_new(&out), PDN_OK);
     for (i = 0; i < 3; i++) {
@@ -266,6 +203,7 @@ static pdn_model *made(void)
                  PDN_OK);
     CHECK(id == SHELL_LOAD(0));
     CHECK_STATUS(pdn_model_add_parameter(out, "p", 1, 1, &id), PDN_OK);
+    add_more(out);
     return out;
 }
 
