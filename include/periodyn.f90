@@ -2127,6 +2127,29 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_set_beam_section
         end function pdn_model_set_beam_section
 
+        ! Gives shell elements another section; frames, offset and the direction of its axes stay,
+        ! and so do the factors of parameters
+        function pdn_model_set_shell_section(model, first_element, elements, &
+            section) bind(C, name="pdn_model_set_shell_section")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: first_element
+            integer(c_int32_t), value :: elements
+            type(pdn_shell_section), intent(in) :: section
+            integer(c_int32_t) :: pdn_model_set_shell_section
+        end function pdn_model_set_shell_section
+
+        ! Gives a rigid body, or a mass or inertia on a node, another inertia; the factor of a
+        ! parameter stays
+        function pdn_model_set_inertia(model, inertia, &
+            matrix) bind(C, name="pdn_model_set_inertia")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: inertia
+            real(c_double), intent(in) :: matrix(*)
+            integer(c_int32_t) :: pdn_model_set_inertia
+        end function pdn_model_set_inertia
+
         ! Gives a node, joint, element, force, load or the like a label, in place of the one that
         ! it has
         function pdn_model_set_label(model, kind, id, label) bind(C, name="pdn_model_set_label")
@@ -2183,6 +2206,19 @@ module periodyn_c
             integer(c_size_t), value :: capacity
             integer(c_size_t) :: pdn_solution_report
         end function pdn_solution_report
+
+        ! The report as JSON, for programs: an object with the texts `kind`, `outcome`,
+        ! `explanation` and `report`; sizes; `grids` and `attempts`; the Newton `iterations`;
+        ! `estimates`, named as in pdn_diagnostics; what iteration of `linear` equations took; and
+        ! `seconds`
+        function pdn_solution_report_json(solution, buffer, &
+            capacity) bind(C, name="pdn_solution_report_json")
+            import
+            type(c_ptr), value :: solution
+            character(kind=c_char), intent(inout), optional :: buffer(*)
+            integer(c_size_t), value :: capacity
+            integer(c_size_t) :: pdn_solution_report_json
+        end function pdn_solution_report_json
 
         ! Prepares a struct for ::pdn_solution_diagnostics; use `PDN_INIT(pdn_diagnostics,
         ! &diagnostics)`
@@ -3640,6 +3676,17 @@ module periodyn_c
             integer(c_int32_t) :: pdn_motion_grid_kinematics
         end function pdn_motion_grid_kinematics
 
+        ! A frame from a point and two directions, such as that of a joint or a bushing
+        function pdn_joint_frame(point, axis_3, axis_1, &
+            frame) bind(C, name="pdn_joint_frame")
+            import
+            real(c_double), intent(in) :: point(*)
+            real(c_double), intent(in) :: axis_3(*)
+            real(c_double), intent(in) :: axis_1(*)
+            type(pdn_frame), intent(inout) :: frame
+            integer(c_int32_t) :: pdn_joint_frame
+        end function pdn_joint_frame
+
         ! Prepares a struct for ::pdn_model_summary; use `PDN_INIT(pdn_summary, &summary)`
         subroutine pdn_summary_init(summary, struct_size) bind(C, name="pdn_summary_init")
             import
@@ -3775,7 +3822,8 @@ module periodyn
         c_section_set_proportional_damping => pdn_section_set_proportional_damping, &
         c_shell_section_set_proportional_damping => pdn_shell_section_set_proportional_damping, &
         c_motion_interpolate => pdn_motion_interpolate, &
-        c_motion_grid_kinematics => pdn_motion_grid_kinematics
+        c_motion_grid_kinematics => pdn_motion_grid_kinematics, &
+        c_frame_from_axes => pdn_joint_frame
     use, intrinsic :: iso_fortran_env, only: error_unit
     implicit none
     public
@@ -3941,6 +3989,8 @@ module periodyn
         procedure, public :: set_signal => model_set_signal
         procedure, public :: set_force_numbers => model_set_force_numbers
         procedure, public :: set_beam_section => model_set_beam_section
+        procedure, public :: set_shell_section => model_set_shell_section
+        procedure, public :: set_inertia => model_set_inertia
         procedure, public :: set_label => model_set_label
         procedure, public :: label => model_label
         procedure, public :: find_label => model_find_label
@@ -4018,6 +4068,7 @@ module periodyn
         procedure, public :: outcome => solution_outcome
         procedure, public :: converged => solution_converged
         procedure, public :: report => solution_report
+        procedure, public :: report_json => solution_report_json
         procedure, public :: diagnostics => solution_diagnostics
         procedure, public :: history => solution_history
         procedure, public :: decay => solution_decay
@@ -4115,6 +4166,9 @@ module periodyn
     interface pdn_motion_grid_kinematics
         procedure motion_grid_kinematics
     end interface pdn_motion_grid_kinematics
+    interface pdn_joint_frame
+        procedure frame_from_axes
+    end interface pdn_joint_frame
 
     private :: init_section, init_line, init_stations, init_surface, init_shell_section, &
         init_shell_placement, init_tangent_check, init_diagnostics, init_quantity, &
@@ -4125,27 +4179,27 @@ module periodyn
         init_summary, version, version_check, build_info, status_name, status_message, &
         last_error, set_last_error, set_callback_error, section_set_component_damping, &
         section_set_proportional_damping, shell_section_set_proportional_damping, &
-        motion_interpolate, motion_grid_kinematics, branch_switch_branch, branch_follow_locus, &
-        branch_continue_branch, branch_save, branch_load, branch_end, branch_report, &
-        branch_count, branch_get, branch_solution, branch_write_csv, branch_write_campbell, &
-        conditions_new, conditions_release, conditions_add_phase, conditions_add_rotation_phase, &
-        conditions_add_translation_phase, conditions_add_quantity, &
-        conditions_add_joint_coordinate, conditions_add_energy, conditions_add_momentum, &
-        conditions_add_angular_momentum, equations_new, equations_get_sizes, equations_nodes, &
-        equations_numbers, equations_state, equations_set_state, equations_residual, &
-        equations_linearise, equations_product, equations_transposed_product, &
-        equations_power_product, equations_factor, equations_precondition, equations_compliance, &
-        equations_update, equations_norms, equations_solution, model_new, model_node_count, &
-        model_joint_count, model_element_count, model_mass, model_node_frame, model_add_node, &
-        model_add_rigid_body, model_add_mass, model_add_inertia, model_prescribe, &
-        model_add_rigid_joint, model_add_revolute, model_add_prismatic, model_add_cylindrical, &
-        model_add_screw, model_add_planar, model_add_free_joint, model_add_spherical, &
-        model_add_universal, model_add_strut, model_add_joint, model_add_screw_between, &
-        model_relation_count, model_add_relation, model_add_beam_element, &
-        model_add_straight_beam, model_add_beam, model_add_beam_between, model_add_load, &
-        model_set_gravity, model_set_gravity_signals, model_add_distributed_load, &
-        model_add_load_at_places, model_set_turning_frame, model_turning_frame, &
-        model_set_rotor_symmetry, model_rotor_symmetry, model_rotor_node, &
+        motion_interpolate, motion_grid_kinematics, frame_from_axes, branch_switch_branch, &
+        branch_follow_locus, branch_continue_branch, branch_save, branch_load, branch_end, &
+        branch_report, branch_count, branch_get, branch_solution, branch_write_csv, &
+        branch_write_campbell, conditions_new, conditions_release, conditions_add_phase, &
+        conditions_add_rotation_phase, conditions_add_translation_phase, &
+        conditions_add_quantity, conditions_add_joint_coordinate, conditions_add_energy, &
+        conditions_add_momentum, conditions_add_angular_momentum, equations_new, &
+        equations_get_sizes, equations_nodes, equations_numbers, equations_state, &
+        equations_set_state, equations_residual, equations_linearise, equations_product, &
+        equations_transposed_product, equations_power_product, equations_factor, &
+        equations_precondition, equations_compliance, equations_update, equations_norms, &
+        equations_solution, model_new, model_node_count, model_joint_count, model_element_count, &
+        model_mass, model_node_frame, model_add_node, model_add_rigid_body, model_add_mass, &
+        model_add_inertia, model_prescribe, model_add_rigid_joint, model_add_revolute, &
+        model_add_prismatic, model_add_cylindrical, model_add_screw, model_add_planar, &
+        model_add_free_joint, model_add_spherical, model_add_universal, model_add_strut, &
+        model_add_joint, model_add_screw_between, model_relation_count, model_add_relation, &
+        model_add_beam_element, model_add_straight_beam, model_add_beam, model_add_beam_between, &
+        model_add_load, model_set_gravity, model_set_gravity_signals, &
+        model_add_distributed_load, model_add_load_at_places, model_set_turning_frame, &
+        model_turning_frame, model_set_rotor_symmetry, model_rotor_symmetry, model_rotor_node, &
         model_add_shell_element, model_add_shell, model_add_shell_grid, &
         model_add_shell_quadrilaterals, model_shell_patch_node, model_shell_element_count, &
         model_shell_node, model_add_shell_load, model_set_shell_prestress, &
@@ -4156,11 +4210,12 @@ module periodyn
         model_add_controller, model_controller_counts, model_controller_coordinate, &
         model_controller_state, model_add_surface_force, model_bind_controller, &
         model_bind_coordinate_law, model_bind_user_force, model_bind_surface_force, &
-        model_set_signal, model_set_force_numbers, model_set_beam_section, model_set_label, &
-        model_label, model_find_label, model_solve_periodic, model_add_parameter, &
-        model_parameter_count, model_parameter, model_parameter_name, model_find_parameter, &
-        model_move_number, model_move_signal, model_set_parameter, model_set_mass_damping, &
-        model_declare_of_phase, model_joint, model_force, model_force_number, model_force_node, &
+        model_set_signal, model_set_force_numbers, model_set_beam_section, &
+        model_set_shell_section, model_set_inertia, model_set_label, model_label, &
+        model_find_label, model_solve_periodic, model_add_parameter, model_parameter_count, &
+        model_parameter, model_parameter_name, model_find_parameter, model_move_number, &
+        model_move_signal, model_set_parameter, model_set_mass_damping, model_declare_of_phase, &
+        model_joint, model_force, model_force_number, model_force_node, &
         model_beam_element_node_count, model_beam_element_node, model_beam_section, &
         model_inertia_count, model_inertia, model_inertia_of, model_prescribed, &
         model_relation_term_count, model_relation_term, model_sample_signal, model_load_count, &
@@ -4171,13 +4226,13 @@ module periodyn
         model_save, model_load, modes_outcome, modes_converged, modes_report, modes_count, &
         modes_get, modes_shape, modes_motion, modes_equilibrium, sensitivities_new, &
         sensitivities_add_quantity, sensitivities_add_found, sensitivities_add_parameter, &
-        solution_outcome, solution_converged, solution_report, solution_diagnostics, &
-        solution_history, solution_decay, solution_sharp_event_count, solution_sharp_events, &
-        solution_grid_times, solution_sample, solution_sample_flat, solution_harmonics, &
-        solution_extremes, solution_filtered, solution_parameter, solution_sensitivities, &
-        solution_multiplier_sensitivities, solution_march, solution_floquet_count, &
-        solution_floquet, solution_solve_stability, solution_write_vtk, solution_save, &
-        solution_load, solution_model, stability_outcome, stability_converged, &
+        solution_outcome, solution_converged, solution_report, solution_report_json, &
+        solution_diagnostics, solution_history, solution_decay, solution_sharp_event_count, &
+        solution_sharp_events, solution_grid_times, solution_sample, solution_sample_flat, &
+        solution_harmonics, solution_extremes, solution_filtered, solution_parameter, &
+        solution_sensitivities, solution_multiplier_sensitivities, solution_march, &
+        solution_floquet_count, solution_floquet, solution_solve_stability, solution_write_vtk, &
+        solution_save, solution_load, solution_model, stability_outcome, stability_converged, &
         stability_verdict, stability_count, stability_get, stability_time_count, &
         stability_times, stability_shape, stability_report, table_add_quantity, table_new, &
         table_add_values, table_write_csv
@@ -4927,6 +4982,20 @@ contains
             acceleration, velocity_tangent, acceleration_tangent)
         call report(status, stat, errmsg)
     end subroutine motion_grid_kinematics
+
+    ! A frame from a point and two directions, such as that of a joint or a bushing.
+    subroutine frame_from_axes(point, axis_3, axis_1, frame, stat, errmsg)
+        real(c_double), intent(in) :: point(3), axis_3(3), axis_1(3)
+        type(pdn_frame), intent(inout) :: frame
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_frame) :: found_frame
+        integer(c_int32_t) :: status
+
+        status = c_frame_from_axes(point, axis_3, axis_1, found_frame)
+        if (status == PDN_OK) frame = found_frame
+        call report(status, stat, errmsg)
+    end subroutine frame_from_axes
 
     ! Follows the other branch at a point where one begins: a branch point, or a period doubling,
     ! from where motions have twice the period, on one grid point less than twice as many.
@@ -6991,6 +7060,34 @@ contains
         call report(status, stat, errmsg)
     end subroutine model_set_beam_section
 
+    ! Gives shell elements another section; frames, offset and the direction of its axes stay, and
+    ! so do the factors of parameters.
+    subroutine model_set_shell_section(self, first_element, elements, section, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first_element, elements
+        type(pdn_shell_section), intent(in) :: section
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_set_shell_section(self%c, first_element, elements, section)
+        call report(status, stat, errmsg)
+    end subroutine model_set_shell_section
+
+    ! Gives a rigid body, or a mass or inertia on a node, another inertia; the factor of a
+    ! parameter stays.
+    subroutine model_set_inertia(self, inertia, matrix, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: inertia
+        real(c_double), intent(in) :: matrix(6, 6)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_set_inertia(self%c, inertia, matrix)
+        call report(status, stat, errmsg)
+    end subroutine model_set_inertia
+
     ! Gives a node, joint, element, force, load or the like a label, in place of the one that it
     ! has.
     subroutine model_set_label(self, kind, id, label, stat, errmsg)
@@ -8049,6 +8146,19 @@ contains
         length = pdn_solution_report(self%c, text, len(text, c_size_t))
         text = text(:length)
     end function solution_report
+
+    ! The report as JSON, for programs: an object with the texts kind, outcome, explanation and
+    ! report; sizes; grids and attempts; the Newton iterations; estimates, named as in
+    ! pdn_diagnostics; what iteration of linear equations took; and seconds.
+    function solution_report_json(self) result(text)
+        class(pdn_solution), intent(in) :: self
+        character(:), allocatable :: text
+        integer(c_size_t) :: length
+
+        allocate (character(pdn_solution_report_json(self%c, capacity=0_c_size_t) + 1) :: text)
+        length = pdn_solution_report_json(self%c, text, len(text, c_size_t))
+        text = text(:length)
+    end function solution_report_json
 
     ! Figures of a solve: iterations, error estimates, residuals between grid points, time spent.
     subroutine solution_diagnostics(self, out, stat, errmsg)

@@ -5980,6 +5980,45 @@ pdn_status pdn_model_set_beam_section(struct pdn_model *model,
                                       const struct pdn_section *section);
 
 /**
+ * Gives shell elements another section; frames, offset and the direction of its axes stay, and so
+ * do the factors of parameters.
+ *
+ * @param model  the model; not NULL
+ * @param first_element  id of the first shell element
+ * @param elements  number of elements, in order, at least 1
+ * @param section  the section; with mass where the elements' have some, without where they have
+ *     none; not NULL
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE,
+ *     PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_set_shell_section(struct pdn_model *model,
+                                       int32_t first_element,
+                                       int32_t elements,
+                                       const struct pdn_shell_section *section);
+
+/**
+ * Gives a rigid body, or a mass or inertia on a node, another inertia; the factor of a parameter
+ * stays.
+ *
+ * @param model  the model; not NULL
+ * @param inertia  id of the inertia, as ::pdn_model_inertia_of tells of a rigid body
+ * @param matrix  array of shape 6 x 6: inertia about the node, along its axes, as in
+ *     ::pdn_model_add_inertia, symmetric and positive semi-definite
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_set_inertia(struct pdn_model *model,
+                                 int32_t inertia,
+                                 const double *matrix);
+
+/**
  * Gives a node, joint, element, force, load or the like a label, in place of the one that it has.
  *
  * Messages and reports name it after its number, as in: joint 3 "crank pin". Labels are saved and
@@ -6086,6 +6125,26 @@ PDN_API
 size_t pdn_solution_report(const struct pdn_solution *solution,
                            char *buffer,
                            size_t capacity);
+
+/**
+ * The report as JSON, for programs: an object with the texts `kind`, `outcome`, `explanation` and
+ * `report`; sizes; `grids` and `attempts`; the Newton `iterations`; `estimates`, named as in
+ * pdn_diagnostics; what iteration of `linear` equations took; and `seconds`. What is not known, or
+ * does not apply, is null.
+ *
+ * @param solution  the solution; not NULL
+ * @param buffer  array of length [capacity] for the text, UTF-8, always ended by NUL; may be NULL
+ *     if capacity is 0
+ * @param capacity  size of buffer in bytes
+ * @return length of the whole text without the NUL, as snprintf does; 0 if the handle is not valid
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+size_t pdn_solution_report_json(const struct pdn_solution *solution,
+                                char *buffer,
+                                size_t capacity);
 
 /**
  * Prepares a struct for ::pdn_solution_diagnostics; use `PDN_INIT(pdn_diagnostics, &diagnostics)`.
@@ -8829,6 +8888,26 @@ pdn_status pdn_motion_grid_kinematics(double period,
                                       double *acceleration,
                                       double *velocity_tangent,
                                       double *acceleration_tangent);
+
+/**
+ * A frame from a point and two directions, such as that of a joint or a bushing.
+ *
+ * @param point  array of length 3: its origin, global coordinates [length]
+ * @param axis_3  array of length 3: direction of its axis 3, global coordinates, of any nonzero
+ *     length
+ * @param axis_1  array of length 3: direction whose part across axis 3 is its axis 1, global
+ *     coordinates; not along axis 3
+ * @param frame  the frame; axis 2 is what makes it right-handed; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_joint_frame(const double *point,
+                               const double *axis_3,
+                               const double *axis_1,
+                               struct pdn_frame *frame);
 
 /**
  * Prepares a struct for ::pdn_model_summary; use `PDN_INIT(pdn_summary, &summary)`.

@@ -2463,6 +2463,19 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     {
         detail::check(pdn_model_set_beam_section(get(), first_element, elements, &section));
     }
+    /** Gives shell elements another section; frames, offset and the direction of its axes stay, and
+     * so do the factors of parameters. */
+    void set_shell_section(std::int32_t first_element, std::int32_t elements,
+        const ShellSection &section)
+    {
+        detail::check(pdn_model_set_shell_section(get(), first_element, elements, &section));
+    }
+    /** Gives a rigid body, or a mass or inertia on a node, another inertia; the factor of a
+     * parameter stays. */
+    void set_inertia(std::int32_t inertia, const Matrix6 &matrix)
+    {
+        detail::check(pdn_model_set_inertia(get(), inertia, detail::in(matrix)));
+    }
     /** Gives a node, joint, element, force, load or the like a label, in place of the one that it
      * has. */
     void set_label(ObjectKind kind, std::int32_t id, const std::optional<std::string> &label = {})
@@ -3006,6 +3019,16 @@ class Solution : public detail::Handle<pdn_solution, pdn_solution_free>
         detail::in(this, "solution");
         return detail::text([&](char *buffer, std::size_t capacity) {
             return pdn_solution_report(get(), buffer, capacity);
+        });
+    }
+    /** The report as JSON, for programs: an object with the texts `kind`, `outcome`, `explanation`
+     * and `report`; sizes; `grids` and `attempts`; the Newton `iterations`; `estimates`, named as
+     * in pdn_diagnostics; what iteration of `linear` equations took; and `seconds`. */
+    std::string report_json() const
+    {
+        detail::in(this, "solution");
+        return detail::text([&](char *buffer, std::size_t capacity) {
+            return pdn_solution_report_json(get(), buffer, capacity);
         });
     }
     /** Figures of a solve: iterations, error estimates, residuals between grid points, time

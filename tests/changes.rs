@@ -3,7 +3,7 @@
 mod common;
 
 use common::*;
-use nalgebra::{Matrix6, Vector3, Vector6};
+use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 use periodyn::elements::*;
 use periodyn::error::ErrorKind;
 use periodyn::model::*;
@@ -286,4 +286,52 @@ fn pendulum_on_a_hinge() -> (Model, JointCoordinate) {
         &Vector3::y(),
     );
     (model, rotation1(joint))
+}
+
+/// A plate with a body at a corner.
+fn plate(thickness: f64, mass: f64) -> Model {
+    let mut model = Model::new();
+    let mesh = ShellMesh {
+        elements: [2, 1],
+        degrees: [2, 2],
+        join: true,
+    };
+    let surface = |[u, v]: [f64; 2]| Ok(Vector3::new(u, 0.5 * v, 0.0));
+    let section = IsotropicShell::new(thickness, 1e6, 0.3, 1e3);
+    let section = section.section().unwrap();
+    let placement = ShellPlacement::default();
+    let patch = model.add_shell_patch(surface, &mesh, &section, &placement);
+    let corner = *patch.unwrap().nodes.last().unwrap();
+    let at = model.node(corner).unwrap().position;
+    let inertia = Matrix3::identity() * (0.01 * mass);
+    model.add_mass(corner, mass, &at, &inertia).unwrap();
+    model
+}
+
+#[test]
+fn shells_and_inertias_are_changed() {
+    let mut model = plate(0.01, 1.0);
+    let section = IsotropicShell::new(0.02, 1e6, 0.3, 1e3).section().unwrap();
+    model.set_shell_section(0, 2, &section).unwrap();
+    let inertia = Vector6::new(3.0, 3.0, 3.0, 0.03, 0.03, 0.03);
+    let inertia = Matrix6::from_diagonal(&inertia);
+    model.set_inertia(0, &inertia).unwrap();
+    assert_eq!(
+        file(&model, "plate"),
+        file(&plate(0.02, 3.0), "built-plate")
+    );
+
+    let before = file(&model, "plate");
+    let mut massless = section;
+    massless.mass = Matrix6::zeros();
+    for (refused, why) in [
+        (model.set_shell_section(0, 1, &massless), "with mass"),
+        (model.set_shell_section(1, 2, &section), "1 to 1"),
+        (model.set_inertia(1, &inertia), "inertia"),
+        (model.set_inertia(0, &-inertia), "matrix"),
+    ] {
+        let error = refused.unwrap_err().to_string();
+        assert!(error.contains(why), "{error}");
+    }
+    assert_eq!(file(&model, "plate"), before);
 }

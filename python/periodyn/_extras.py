@@ -119,18 +119,11 @@ class SolutionExtras(Outcome, Saved):
     """A solution, in Python."""
 
     def as_dict(self) -> dict:
-        """What the report says, as numbers and texts that `json.dump` writes; what is not known, or
-        not finite, is None."""
-        figures = self.diagnostics().as_dict()
-        numbers = {name: value if numpy.isfinite(value) else None
-                   for name, value in figures.items()}
-        rows = zip(*(numbers_of.tolist() for numbers_of in self.history()))
-        return {
-            "outcome": self.outcome_name,
-            "report": self.report(),
-            "figures": numbers,
-            "iterations": [dict(zip(("residual", "increment", "step"), row)) for row in rows],
-        }
+        """What the report says, as numbers and texts that `json.dump` writes (`report_json`); what
+        is not known, or not finite, is None."""
+        import json
+
+        return json.loads(self.report_json())
 
 
 class BranchExtras(Handle):

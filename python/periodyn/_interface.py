@@ -4424,6 +4424,31 @@ class Model(ModelExtras):
         section = of_type("Section")(section, self._kept, "section")
         call(lib.pdn_model_set_beam_section, self._c, first_element, elements, section)
 
+    def set_shell_section(self, first_element, elements, section):
+        """Gives shell elements another section; frames, offset and the direction of its axes stay,
+        and so do the factors of parameters.
+
+        Args:
+            first_element: id of the first shell element
+            elements: number of elements, in order, at least 1
+            section: the section; with mass where the elements' have some, without where they
+                have none
+        """
+        section = of_type("ShellSection")(section, self._kept, "section")
+        call(lib.pdn_model_set_shell_section, self._c, first_element, elements, section)
+
+    def set_inertia(self, inertia, matrix):
+        """Gives a rigid body, or a mass or inertia on a node, another inertia; the factor of a
+        parameter stays.
+
+        Args:
+            inertia: id of the inertia, as Model.inertia_of tells of a rigid body
+            matrix: array of shape (6, 6): inertia about the node, along its axes, as in
+                Model.add_inertia, symmetric and positive semi-definite
+        """
+        matrix = reals("matrix", matrix, (6, 6), turned=True)
+        call(lib.pdn_model_set_inertia, self._c, inertia, pointer(matrix))
+
     def set_label(self, kind, id, label=None):
         """Gives a node, joint, element, force, load or the like a label, in place of the one that
         it has.
@@ -5926,6 +5951,14 @@ class Solution(SolutionExtras):
     def report(self):
         """A readable report: outcome and why, iterations, error estimates, time spent."""
         return text.of(lib.pdn_solution_report, self._c)
+
+    def report_json(self):
+        """The report as JSON, for programs: an object with the texts `kind`, `outcome`,
+        `explanation` and `report`; sizes; `grids` and `attempts`; the Newton `iterations`;
+        `estimates`, named as in pdn_diagnostics; what iteration of `linear` equations took; and
+        `seconds`. What is not known, or does not apply, is null.
+        """
+        return text.of(lib.pdn_solution_report_json, self._c)
 
     def diagnostics(self):
         """Figures of a solve: iterations, error estimates, residuals between grid points, time

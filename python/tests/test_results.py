@@ -210,9 +210,16 @@ def test_reports_are_data_for_json():
     solution = model.solve_periodic(2 * np.pi)
     told = json.loads(json.dumps(solution.as_dict(), allow_nan=False))
     figures = solution.diagnostics()
-    assert told["outcome"] == "CONVERGED" and told["report"] == solution.report()
-    assert told["figures"]["grid_points"] == figures.grid_points
-    assert told["figures"]["error_estimate"] == figures.error_estimate
+    assert told["outcome"] == "converged" and told["report"] == solution.report()
+    assert told["kind"] == "periodic" and told["is_solution"] and told["explanation"] == ""
+    assert told["grid_points"] == figures.grid_points and told["nodes"] == model.node_count()
+    assert told["estimates"]["error_estimate"] == figures.error_estimate
+    assert told["estimates"]["mesh_error"] == figures.mesh_error
+    assert told["grids"][-1]["grid_points"] == figures.grid_points
+    assert told["grids"][-1]["error_estimate"] == pytest.approx(figures.error_estimate)
+    assert len(told["attempts"]) == figures.attempts
+    assert told["seconds"]["total"] == figures.total_seconds
+    assert told["seconds"]["parts"]["assembly"] == figures.assembly_seconds
     assert len(told["iterations"]) == figures.iterations > 0
     assert told["iterations"][-1]["increment"] == figures.last_increment
     # also of what did not converge, of equilibria and of marches
@@ -220,5 +227,9 @@ def test_reports_are_data_for_json():
     others = [stopped, model.solve_static(),
               model.solve_march(duration=1, period=1, steps_per_period=10)]
     for other in others:
-        assert json.loads(json.dumps(other.as_dict(), allow_nan=False))["outcome"] == (
-            other.outcome_name)
+        told = json.loads(json.dumps(other.as_dict(), allow_nan=False))
+        assert told["outcome"].upper() == other.outcome_name
+    assert stopped.as_dict()["kind"] == "periodic" and not stopped.as_dict()["is_solution"]
+    march = others[-1].as_dict()
+    assert march["kind"] == "march" and march["estimates"]["error_estimate"] is None
+    assert march["grids"] is None

@@ -5,10 +5,12 @@ use super::guard::guard;
 use super::id::Kind;
 use super::model::pdn_model;
 use super::parameter::signal_place;
-use super::section::{self, pdn_section};
+use super::section::{self, pdn_section, read_struct};
+use super::shell::pdn_shell_section;
 use super::signal::{self, pdn_signal};
 use super::status::pdn_status;
 use crate::error::Error;
+use nalgebra::Matrix6;
 
 /// Gives what follows a signal another one: a load, an actuator, a prescribed coordinate. In a
 /// model from a file this brings back signals by functions, too.
@@ -99,5 +101,60 @@ pub unsafe extern "C" fn pdn_model_set_beam_section(
             .map_err(|_| Error::size("elements", "at least 1", elements))?;
         let section = section::read(call, section, "section")?;
         model.set_beam_section(first, count, &section)
+    })
+}
+
+/// Gives shell elements another section; frames, offset and the direction of its axes stay, and so
+/// do the factors of parameters.
+///
+/// @param model  the model; not NULL
+/// @param first_element  id of the first shell element
+/// @param elements  number of elements, in order, at least 1
+/// @param section  the section; with mass where the elements' have some, without where they have
+///     none; not NULL
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE,
+///     PDN_ERR_ID, PDN_ERR_VALUE
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_set_shell_section(
+    model: *mut pdn_model,
+    first_element: i32,
+    elements: i32,
+    section: *const pdn_shell_section,
+) -> pdn_status {
+    guard(|call| {
+        let mut model = call.exclusive(model, "model")?;
+        let first = Kind::ShellElement.index_in(&model, first_element, "first_element")?;
+        let count = usize::try_from(elements)
+            .map_err(|_| Error::size("elements", "at least 1", elements))?;
+        let section = read_struct(call, section, "section")?.core();
+        model.set_shell_section(first, count, &section)
+    })
+}
+
+/// Gives a rigid body, or a mass or inertia on a node, another inertia; the factor of a parameter
+/// stays.
+///
+/// @param model  the model; not NULL
+/// @param inertia  id of the inertia, as ::pdn_model_inertia_of tells of a rigid body
+/// @param matrix  array of shape 6 x 6: inertia about the node, along its axes, as in
+///     ::pdn_model_add_inertia, symmetric and positive semi-definite
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_set_inertia(
+    model: *mut pdn_model,
+    inertia: i32,
+    matrix: *const f64,
+) -> pdn_status {
+    guard(|call| {
+        let mut model = call.exclusive(model, "model")?;
+        let inertia = Kind::Inertia.index_in(&model, inertia, "inertia")?;
+        let matrix = Matrix6::from_column_slice(&call.array::<36>(matrix, "matrix")?);
+        model.set_inertia(inertia, &matrix)
     })
 }

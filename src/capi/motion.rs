@@ -3,11 +3,13 @@
 
 use super::call::Call;
 use super::guard::guard;
+use super::model::{pdn_frame, vector};
 use super::periodic::read_motion;
 use super::status::pdn_status;
 use crate::collocation::{KinematicsScratch, NodeKinematics};
 use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::{CardinalWeights, Differentiation, TimeGrid};
+use crate::model::Model;
 use crate::motion::{Motion, PeriodicMotion};
 
 fn read_motions(
@@ -187,6 +189,35 @@ pub unsafe extern "C" fn pdn_motion_grid_kinematics(
                 output.set(values);
             }
         }
+        Ok(())
+    })
+}
+
+/// A frame from a point and two directions, such as that of a joint or a bushing.
+///
+/// @param point  array of length 3: its origin, global coordinates [length]
+/// @param axis_3  array of length 3: direction of its axis 3, global coordinates, of any nonzero
+///     length
+/// @param axis_1  array of length 3: direction whose part across axis 3 is its axis 1, global
+///     coordinates; not along axis 3
+/// @param frame  the frame; axis 2 is what makes it right-handed; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE
+///
+/// Threads: any.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_joint_frame(
+    point: *const f64,
+    axis_3: *const f64,
+    axis_1: *const f64,
+    frame: *mut pdn_frame,
+) -> pdn_status {
+    guard(|call| {
+        let point = vector(call, point, "point")?;
+        let axis_3 = vector(call, axis_3, "axis_3")?;
+        let axis_1 = vector(call, axis_1, "axis_1")?;
+        let frame = call.out(frame, "frame")?;
+        frame.set((&Model::frame_with_axes(&point, &axis_3, &axis_1)?).into());
         Ok(())
     })
 }

@@ -73,7 +73,7 @@ unsafe impl Options for pdn_shell_section {
 }
 
 impl pdn_shell_section {
-    fn core(&self) -> ShellSection {
+    pub(super) fn core(&self) -> ShellSection {
         ShellSection {
             stiffness: Matrix12::from_column_slice(&self.stiffness),
             damping: Matrix12::from_column_slice(&self.damping),

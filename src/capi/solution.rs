@@ -163,6 +163,32 @@ pub unsafe extern "C" fn pdn_solution_report(
     })
 }
 
+/// The report as JSON, for programs: an object with the texts `kind`, `outcome`, `explanation` and
+/// `report`; sizes; `grids` and `attempts`; the Newton `iterations`; `estimates`, named as in
+/// pdn_diagnostics; what iteration of `linear` equations took; and `seconds`. What is not known, or
+/// does not apply, is null.
+///
+/// @param solution  the solution; not NULL
+/// @param buffer  array of length [capacity] for the text, UTF-8, always ended by NUL; may be NULL
+///     if capacity is 0
+/// @param capacity  size of buffer in bytes
+/// @return length of the whole text without the NUL, as snprintf does; 0 if the handle is not valid
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_report_json(
+    solution: *const pdn_solution,
+    buffer: *mut c_char,
+    capacity: usize,
+) -> usize {
+    guard_or(0, |call| {
+        let report = call.shared(solution, "solution")?.report_json();
+        copy_message(&report, buffer, capacity);
+        Ok(report.len())
+    })
+}
+
 /// Figures of a solve. Initialise with `PDN_INIT(pdn_diagnostics, &diagnostics)`.
 #[repr(C)]
 #[derive(Clone, Copy)]

@@ -1,9 +1,11 @@
 //! Changes of what a model holds.
 
+use super::inertia::InertiaDefinition;
 use super::target::no_such_signal;
 use super::validation::{require_elements, require_positive};
 use super::{ForceDefinition, ForceNumber, Model, SectionInput, Signal, SignalPlace, Target};
-use crate::error::{Error, ErrorKind, Result};
+use crate::elements::ShellSection;
+use crate::error::{Error, ErrorKind, Result, require_id};
 use nalgebra::Matrix6;
 
 impl Model {
@@ -85,16 +87,7 @@ impl Model {
             beam.sections = beam.sections.with_section(section);
             beam.sections.scaled(&beam.factors).validate()?;
             let made = self.element_of(&beam)?;
-            if made.has_mass() != had_mass {
-                let [with, without] = ["with mass", "without mass"];
-                let (expected, got) = if had_mass {
-                    (with, without)
-                } else {
-                    (without, with)
-                };
-                let expected = format!("a section {expected}, as that of element {element}");
-                return Err(Error::value("section", expected, format!("one {got}")));
-            }
+            require_as_massive(element, had_mass, made.has_mass())?;
             if had_mass {
                 made.inertia()?;
             }
@@ -106,6 +99,70 @@ impl Model {
         }
         Ok(())
     }
+
+    /// Gives shell elements another section; their frames, and the direction of its axes, stay.
+    ///
+    /// # Errors
+    /// If there are no such elements, the section cannot be, or has mass where theirs has none, or
+    /// none where theirs has.
+    pub fn set_shell_section(
+        &mut self,
+        first_element: usize,
+        elements: usize,
+        section: &ShellSection,
+    ) -> Result<()> {
+        let count = self.shells.len();
+        require_elements("shell element", count, (first_element, elements))?;
+        let section = section.validated()?;
+        let has_mass = |section: &ShellSection| section.mass != Matrix6::zeros();
+        let changed = (first_element..first_element + elements).map(|element| {
+            let mut shell = self.shells[element].clone();
+            require_as_massive(element, has_mass(&shell.section), has_mass(&section))?;
+            shell.section = section;
+            let made = self.shell_of(&shell)?;
+            if has_mass(&section) {
+                made.inertia()?;
+            }
+            Ok(shell)
+        });
+        let changed = changed.collect::<Result<Vec<_>>>()?;
+        for (shell, changed) in self.shells[first_element..].iter_mut().zip(changed) {
+            *shell = changed;
+        }
+        Ok(())
+    }
+
+    /// Gives a body, mass or inertia another 6×6 inertia about its node, along its axes; the factor
+    /// of a parameter stays.
+    ///
+    /// # Errors
+    /// If there is no such inertia, or the matrix is none of a body.
+    pub fn set_inertia(&mut self, inertia: usize, matrix: &Matrix6<f64>) -> Result<()> {
+        require_id("inertia", "inertia", self.inertia_count(), inertia)?;
+        let changed = require_positive("matrix", matrix, false)?;
+        let mut bodies = self.inertias.iter_mut().filter_map(|it| match it {
+            InertiaDefinition::Body { matrix, .. } => Some(matrix),
+            InertiaDefinition::Beam | InertiaDefinition::Shell => None,
+        });
+        if let Some(matrix) = bodies.nth(inertia) {
+            **matrix = changed;
+        }
+        Ok(())
+    }
+}
+
+/// Whether there is mass is the same as before.
+fn require_as_massive(element: usize, had_mass: bool, has_mass: bool) -> Result<()> {
+    if had_mass == has_mass {
+        return Ok(());
+    }
+    let name = |it| if it { "with mass" } else { "without mass" };
+    let expected = format!("a section {}, as that of element {element}", name(had_mass));
+    Err(Error::value(
+        "section",
+        expected,
+        format!("one {}", name(has_mass)),
+    ))
 }
 
 impl ForceDefinition {

@@ -129,6 +129,32 @@ impl Model {
         Ok(Motion::new(rotation, *point))
     }
 
+    /// Frame at `point`: axis 3 along `axis_3`, axis 1 along the part of `axis_1` across it.
+    ///
+    /// # Errors
+    /// If a direction is zero, or both are along one line.
+    pub fn frame_with_axes(
+        point: &Vector3<f64>,
+        axis_3: &Vector3<f64>,
+        axis_1: &Vector3<f64>,
+    ) -> Result<Motion> {
+        let e3 = Self::frame_at("axis_3", point, axis_3)?
+            .rotation
+            .column(2)
+            .into_owned();
+        let given = direction("axis_1", axis_1)?;
+        let across = given - e3 * e3.dot(&given);
+        if across.norm() <= 1e-8 * given.norm() {
+            let expected = "a direction away from axis_3";
+            return Err(Error::value("axis_1", expected, "one along it"));
+        }
+        let e1 = across.normalize();
+        Ok(Motion::new(
+            Matrix3::from_columns(&[e1, e3.cross(&e1), e3]),
+            *point,
+        ))
+    }
+
     /// Frame of a universal joint at `point`: axis 1 along the arm fixed to the first body, axis 2
     /// along the arm fixed to the second.
     pub fn cross_frame(

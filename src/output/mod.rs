@@ -12,6 +12,7 @@ mod other_mesh;
 mod poly_data;
 mod quantities;
 mod report;
+mod report_json;
 mod saved;
 mod saved_branch;
 mod shell_vtk;

@@ -167,6 +167,42 @@ static void functions_come_back(void)
     pdn_model_free(model);
 }
 
+/* A plate on nodes that are there, and a mass, are changed to what they tell. */
+static void shells_and_inertias_change(void)
+{
+    static const double eye[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    const double origin[3] = {0};
+    double matrix[36], told[36];
+    int32_t nodes[4], inertia, node, element;
+    pdn_model *model;
+    pdn_shell_section section;
+    CHECK_STATUS(pdn_model_new(&model), PDN_OK);
+    for (int i = 0; i < 4; ++i) {
+        const double position[3] = {i / 2, i % 2, 0};
+        CHECK_STATUS(pdn_model_add_node(model, position, NULL, &nodes[i]), PDN_OK);
+    }
+    PDN_INIT(pdn_shell_section, &section);
+    CHECK_STATUS(pdn_shell_section_set_isotropic(&section, 0.1, 1e6, 0.3, 1, 1, 0.1), PDN_OK);
+    CHECK_STATUS(pdn_model_add_shell_element(model, nodes, 4, 2, &section, NULL, &element), PDN_OK);
+    CHECK_STATUS(pdn_shell_section_set_isotropic(&section, 0.2, 1e6, 0.3, 1, 1, 0.1), PDN_OK);
+    CHECK_STATUS(pdn_model_set_shell_section(model, element, 1, &section), PDN_OK);
+    CHECK_STATUS(pdn_shell_section_set_isotropic(&section, 0.2, 1e6, 0.3, 0, 1, 0.1), PDN_OK);
+    REFUSED(pdn_model_set_shell_section(model, element, 1, &section), PDN_ERR_VALUE,
+            "section: expected a section with mass");
+    REFUSED(pdn_model_set_shell_section(model, element, 2, &section), PDN_ERR_SIZE, "elements: ");
+
+    CHECK_STATUS(pdn_model_add_mass(model, nodes[0], 2, origin, eye, &inertia), PDN_OK);
+    CHECK_STATUS(pdn_model_inertia(model, inertia, &node, matrix), PDN_OK);
+    CHECK(node == nodes[0] && matrix[0] == 2 && matrix[21] == 1);
+    for (int i = 0; i < 36; ++i) {
+        matrix[i] *= 3;
+    }
+    CHECK_STATUS(pdn_model_set_inertia(model, inertia, matrix), PDN_OK);
+    CHECK_STATUS(pdn_model_inertia(model, inertia, &node, told), PDN_OK);
+    CHECK(node == nodes[0] && memcmp(told, matrix, sizeof matrix) == 0);
+    pdn_model_free(model);
+}
+
 /* A cantilever's tip under its weight moves with the inverse of its section's stiffness. */
 static void sections_change(void)
 {
@@ -260,6 +296,12 @@ static void refusals_of_changes(void)
             "first_element: expected ");
     REFUSED(pdn_model_set_beam_section(in.model, BEAM_ELEMENT(0), 1, NULL), PDN_ERR_ID,
             "first_element: expected ");
+    REFUSED(pdn_model_set_shell_section(in.model, BEAM_ELEMENT(0), 1, NULL), PDN_ERR_ID,
+            "first_element: expected ");
+    const double none[36] = {-1};
+    REFUSED(pdn_model_set_inertia(in.model, INERTIA(0), NULL), PDN_ERR_NULL, "matrix: expected ");
+    REFUSED(pdn_model_set_inertia(in.model, INERTIA(99), none), PDN_ERR_ID, "inertia: expected ");
+    REFUSED(pdn_model_set_inertia(in.model, INERTIA(0), none), PDN_ERR_VALUE, "matrix: expected ");
 
     in.frame = PDN_FRAME_SPACE;
     in.tangents = PDN_TANGENTS_GIVEN;
@@ -290,6 +332,7 @@ int main(void)
 {
     functions_come_back();
     sections_change();
+    shells_and_inertias_change();
     refusals_of_changes();
     printf("%d refusals\n", refusals);
     return 0;

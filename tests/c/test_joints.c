@@ -702,8 +702,27 @@ static void reactions_are_resolved_in_either_frame(void)
     end();
 }
 
+/* Axis 1 is what is across axis 3 of what is given, whatever its length. */
+static void frames_from_axes(void)
+{
+    double oblique[3], longer[3];
+    pdn_frame frame;
+    for (int i = 0; i < 3; ++i) {
+        oblique[i] = 3 * ACROSS_1[i] - 7 * AXIS[i];
+        longer[i] = 5 * AXIS[i];
+    }
+    CHECK_STATUS(pdn_joint_frame(POINT, longer, oblique, &frame), PDN_OK);
+    for (int i = 0; i < 9; ++i) {
+        CHECK_NEAR(frame.rotation[i], AXES[i], 1e-14);
+    }
+    for (int i = 0; i < 3; ++i) {
+        CHECK(frame.position[i] == POINT[i]);
+    }
+}
+
 int main(void)
 {
+    frames_from_axes();
     a_revolute_turns();
     a_prismatic_slides();
     a_cylindrical_slides_and_turns();

@@ -108,6 +108,26 @@ static void joints(void)
 #undef WITH
 #undef CALL
 
+#define CALL pdn_joint_frame(in.point, in.axis, in.end, &frame)
+    pdn_frame frame;
+    const double along[3] = {-2 * in.axis[0], -2 * in.axis[1], -2 * in.axis[2]};
+    const double none[3] = {0, 0, 0};
+    CHECK_STATUS(CALL, PDN_OK);
+    REFUSES_NULL(pdn_joint_frame(NULL, in.axis, in.end, &frame), "point");
+    REFUSES_NULL(pdn_joint_frame(in.point, NULL, in.end, &frame), "axis_3");
+    REFUSES_NULL(pdn_joint_frame(in.point, in.axis, NULL, &frame), "axis_1");
+    REFUSES_NULL(pdn_joint_frame(in.point, in.axis, in.end, NULL), "frame");
+    REFUSES_NOT_FINITE_ENTRIES(in.point, 3, CALL, "point");
+    REFUSES_NOT_FINITE_ENTRIES(in.axis, 3, CALL, "axis_3");
+    REFUSES_NOT_FINITE_ENTRIES(in.end, 3, CALL, "axis_1");
+    REFUSED(pdn_joint_frame(in.point, none, in.end, &frame), PDN_ERR_VALUE,
+            "axis_3: expected a vector that is not zero");
+    REFUSED(pdn_joint_frame(in.point, in.axis, none, &frame), PDN_ERR_VALUE,
+            "axis_1: expected a vector that is not zero");
+    REFUSED(pdn_joint_frame(in.point, in.axis, along, &frame), PDN_ERR_VALUE,
+            "axis_1: expected a direction away from axis_3");
+#undef CALL
+
 #define CALL pdn_model_add_free_joint(in.model, in.node, in.other, in.point, &out.id)
     REFUSES_NULL(pdn_model_add_free_joint(NULL, NODE(0), NODE(1), in.point, &out.id), "model");
     REFUSES_NULL(pdn_model_add_free_joint(in.model, NODE(0), NODE(1), NULL, &out.id), "point");

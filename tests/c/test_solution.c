@@ -797,6 +797,13 @@ static void reports_fit_their_buffers(void)
     }
     CHECK(pdn_solution_report(solution, part, length + 1) == length && strcmp(part, whole) == 0);
     CHECK(pdn_solution_report(solution, part, length) == length && strlen(part) == length - 1);
+
+    static char json[1 << 16];
+    const size_t json_length = pdn_solution_report_json(solution, json, sizeof json);
+    CHECK(json_length == strlen(json) && json[0] == '{' && json[json_length - 1] == '}');
+    CHECK(strstr(json, "\"outcome\":\"converged\"") && strstr(json, "\"kind\":\"periodic\""));
+    CHECK(pdn_solution_report_json(solution, NULL, 0) == json_length);
+    CHECK(pdn_solution_report_json(NULL, json, sizeof json) == 0);
 }
 
 int main(void)
