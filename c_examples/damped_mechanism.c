@@ -18,7 +18,7 @@
 
 #include "example.h"
 
-enum { POINTS_PER_TURN = 200 };
+enum { NODES = 3, POINTS_PER_TURN = 200 };
 
 static const double PI = 3.14159265358979323846, OMEGA = 50, LENGTH_1 = 0.5, LENGTH_2 = 14.3;
 
@@ -172,6 +172,16 @@ static int march(double tau_over_T, double step, size_t turns, FILE *file)
     if (build(tau_over_T * period, &m) != 0 || eigenvalue(&m, &decay, &frequency) != 0) {
         goto done;
     }
+    /* From rest, where all bars are; else bar 2 would start turning with bar 1, and not swing. */
+    double positions[NODES][3], rotations[NODES][9];
+    for (int32_t i = 0; i < NODES; ++i) {
+        pdn_frame frame;
+        TRY(pdn_model_node_frame(m.model, PDN_FIRST_NODE + i, &frame));
+        memcpy(positions[i], frame.position, sizeof frame.position);
+        memcpy(rotations[i], frame.rotation, sizeof frame.rotation);
+    }
+    options.positions = positions[0];
+    options.rotations = rotations[0];
     TRY(pdn_solve_march(m.model, &options, &solution));
     if (pdn_solution_outcome(solution) != PDN_CONVERGED ||
         !(theta = sample(&m, solution, options.duration, count, file))) {

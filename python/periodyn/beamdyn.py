@@ -5,15 +5,18 @@
 
 BeamDyn's axes are x downwind, y edgewise, z from root to tip; axis 1 of the beam is along z, axes 2
 and 3 are x and y, turned by the twist.
+
+    beamdyn.write_c_header(blade, "blade.h")    # for programs in C
 """
 
 import pathlib
+import textwrap
 from dataclasses import dataclass
 
 import numpy
 
 from ._call import Error
-from ._interface import Line, Section, Stations
+from ._interface import Line, Model, Section, Stations
 
 # BeamDyn's force along z and x and y, then moments, in the order of Section.
 ORDER = numpy.array([2, 0, 1, 5, 3, 4])
@@ -61,6 +64,66 @@ def read_blade(path, position=(0, 0, 0), axes=None):
     line, length = _line(along @ axes.T + position, arc, axes)
     twists = -numpy.radians(numpy.interp(fractions, arc / arc[-1], points[:, 3]))
     return Blade(line, Stations(fractions=fractions, sections=sections, twists=twists), length)
+
+
+def write_c_header(blade, path, source=""):
+    """Writes a blade as a header of C: constant arrays of what its stations have.
+
+    Their names begin with that of the file: of `blade.h` they are BLADE_STATIONS, the number, and
+    `blade_fractions` and `blade_twists` for pdn_stations, `blade_stiffness`, `blade_mass` and
+    `blade_damping` for pdn_section, and places on the reference line, `blade_positions`, with the
+    sections' axes, `blade_axes`. Matrices are column by column.
+
+    Args:
+        blade: the blade, whose stations have fractions
+        path: the file
+        source: lines of text for its head, such as source and licence of the data
+    """
+    path, stations = pathlib.Path(path), blade.stations
+    if not (path.stem.isascii() and path.stem.isidentifier()):
+        raise Error(f"path: expected the name of a file that may begin names in C, got {path.name}")
+    if stations.fractions is None:
+        raise Error("blade: expected stations with fractions")
+    name, count, places = path.stem, stations.count, numpy.unique(stations.fractions)
+    model = Model()
+    beam = model.add_beam_between(blade.line, stations, places, 1)
+    nodes = beam.first + numpy.searchsorted(places, stations.fractions)
+    frames = [model.node_frame(int(node)) for node in nodes]
+    twists = numpy.zeros(count) if stations.twists is None else stations.twists
+    arrays = [
+        ("fractions", "Of the length, from the root to the tip.", stations.fractions),
+        ("twists", "Structural twist about axis 1 [radian].", twists),
+        ("positions", "On the reference line [length].", [frame.position for frame in frames]),
+        ("axes", "Of the sections, twisted: axes 1, 2, 3.", [f.rotation.T for f in frames]),
+        *((matrix, f"{matrix.capitalize()} along these axes, column by column.",
+           [getattr(section, matrix).T for section in stations.sections])
+          for matrix in ("stiffness", "mass", "damping")),
+    ]
+    lines = [f"{count} stations of a blade, by periodyn.beamdyn.write_c_header.",
+             *source.replace("*/", "* /").strip().splitlines()]
+    guard = f"{name.upper()}_H"
+    head = "\n".join(f" * {line}".rstrip() for line in lines)
+    text = f"""/*{head[2:]} */
+
+#ifndef {guard}
+#define {guard}
+
+enum {{ {name.upper()}_STATIONS = {count} }};
+"""
+    for what, meaning, values in arrays:
+        values = numpy.asarray(values).reshape(count, -1)
+        of_each = f"[{values.shape[1]}]" if values.shape[1] > 1 else ""
+        text += f"\n/* {meaning} */\nstatic const double {name}_{what}[{count}]{of_each} = {{\n"
+        rows = [f"{{{_numbers(row)}}}" for row in values] if of_each else [_numbers(values.ravel())]
+        wrap = textwrap.TextWrapper(99, initial_indent="    ", break_on_hyphens=False,
+                                    subsequent_indent="     " if of_each else "    ")
+        text += "".join(f"{wrap.fill(row)},\n" for row in rows) + "};\n"
+    path.write_text(f"{text}\n#endif\n", encoding="utf-8")
+
+
+def _numbers(values):
+    """15 digits, and no -0."""
+    return ", ".join(f"{value + 0.0:.15g}" for value in values)
 
 
 def _line(points, arc, axes):

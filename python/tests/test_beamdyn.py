@@ -1,7 +1,10 @@
 """Blades from files of BeamDyn: the NREL 5-MW blade, and a curved one."""
 
 import csv
+import os
 import pathlib
+import re
+import subprocess
 
 import numpy as np
 import pytest
@@ -10,6 +13,17 @@ import periodyn as pdn
 from periodyn import beamdyn
 
 DATA = pathlib.Path(__file__).parents[2] / "tests/data/nrel_5mw_blade.csv"
+HEADER = pathlib.Path(__file__).parents[2] / "c_examples/nrel_5mw_blade.h"
+SOURCE = """
+The NREL 5-MW reference turbine's. Metres, newtons, kilograms, seconds; axis 1 from root to tip,
+axes 2 and 3 downwind and edgewise, turned by the twist.
+
+Source: OpenFAST/r-test, glue-codes/openfast/5MW_Baseline: matrices and damping of
+NRELOffshrBsline5MW_BeamDyn_Blade.dat, key points of NRELOffshrBsline5MW_BeamDyn.dat. Licence:
+Apache-2.0 (OpenFAST); numbers only. Design: J. Jonkman et al., NREL/TP-500-38060, 2009.
+
+Written by PDN_BLESS=1 pytest python/tests/test_beamdyn.py."""
+NUMBER = re.compile(r"(?<![\w.])-?\d[\d.]*(?:e[-+]?\d+)?")
 DAMPING = "1.0E-03 1.0E-03 1.0E-03 0.0014 0.0022 0.0022"
 
 
@@ -109,3 +123,70 @@ def test_a_wrong_number_of_stations(tmp_path):
     sections.write_text(sections.read_text().replace("2 station_total", "3 station_total"))
     with pytest.raises(pdn.Error, match="expected 3 stations"):
         beamdyn.read_blade(path)
+
+
+def test_the_header_of_the_examples_is_that_of_the_blade(tmp_path):
+    path = HEADER if os.environ.get("PDN_BLESS") else tmp_path / HEADER.name
+    beamdyn.write_c_header(beamdyn.read_blade(nrel_blade(tmp_path)), path, SOURCE)
+    written, kept = path.read_text(), HEADER.read_text()
+    assert NUMBER.sub("#", written).split() == NUMBER.sub("#", kept).split()
+    # 15 digits, less what functions of angles may differ by from one machine to another.
+    numbers = [np.array(NUMBER.findall(text), dtype=float) for text in (written, kept)]
+    assert len(numbers[0]) > 49 * (2 + 3 + 9 + 3 * 36)
+    np.testing.assert_allclose(*numbers, rtol=2e-14, atol=1e-15)
+
+
+def test_a_header_in_c(tmp_path):
+    """Of a curved blade with a jump: a program reads what the blade has."""
+    angles = np.linspace(0, 0.5, 30)
+    points = np.column_stack([10 - 10 * np.cos(angles), 0 * angles, 10 * np.sin(angles),
+                              60 * angles])
+    law = 1e6 * (np.diag([1.0, 2, 3, 4, 5, 6]) + 0.1 * (np.eye(6, k=1) + np.eye(6, k=-1)))
+    matrices = [(law * factor, np.diag([3.0] * 6)) for factor in (1, 2, 3, 4)]
+    blade = beamdyn.read_blade(write(tmp_path, points, [0, 0.5, 0.5, 1], matrices))
+    path = tmp_path / "curved.h"
+    beamdyn.write_c_header(blade, path, "of */ mine")
+    (tmp_path / "main.c").write_text("""
+#include <stdio.h>
+#include "curved.h"
+#define PRINT(array) print((const double *)array, sizeof array / sizeof(double))
+static void print(const double *values, size_t count)
+{
+    for (size_t i = 0; i < count; ++i) printf("%.17g ", values[i]);
+    printf("\\n");
+}
+int main(void)
+{
+    PRINT(curved_fractions); PRINT(curved_twists); PRINT(curved_positions); PRINT(curved_axes);
+    PRINT(curved_stiffness); PRINT(curved_mass); PRINT(curved_damping);
+    return CURVED_STATIONS - 4;
+}
+""")
+    subprocess.run(["cc", "-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "main.c", "-o",
+                    "main"], cwd=tmp_path, check=True)
+    done = subprocess.run([tmp_path / "main"], check=True, capture_output=True, text=True)
+    rows = [np.array(line.split(), dtype=float) for line in done.stdout.splitlines()]
+    fractions, twists, positions, axes = *rows[:2], rows[2].reshape(4, 3), rows[3].reshape(4, 3, 3)
+    np.testing.assert_array_equal(fractions, [0, 0.5, 0.5, 1])
+    np.testing.assert_allclose(twists, -np.radians(60 * 0.5) * fractions, atol=1e-4)
+    np.testing.assert_allclose(positions, np.column_stack([
+        10 - 10 * np.cos(0.5 * fractions), 0 * fractions, 10 * np.sin(0.5 * fractions)]), atol=1e-3)
+    for k, (of_station, turn) in enumerate(zip(axes, twists)):
+        # What a natural spline's ends are off by is within 2e-2.
+        along = np.array([np.sin(0.5 * fractions[k]), 0, np.cos(0.5 * fractions[k])])
+        across = np.cross([0, 1, 0], along)
+        second = np.cos(turn) * across + np.sin(turn) * np.array([0, 1, 0])
+        np.testing.assert_allclose(of_station[0], along, atol=2e-2)
+        np.testing.assert_allclose(of_station[1], second, atol=2e-2)
+    for section, values in zip(blade.stations.sections, zip(*(r.reshape(4, 36) for r in rows[4:]))):
+        for name, value in zip(("stiffness", "mass", "damping"), values):
+            np.testing.assert_allclose(value.reshape(6, 6).T, getattr(section, name), rtol=1e-14)
+
+
+def test_a_header_that_cannot_be(tmp_path):
+    blade = beamdyn.read_blade(nrel_blade(tmp_path))
+    with pytest.raises(pdn.Error, match="path: expected .* got 5mw-blade.h"):
+        beamdyn.write_c_header(blade, tmp_path / "5mw-blade.h")
+    blade.stations = pdn.Stations(sections=blade.stations.sections[:1])
+    with pytest.raises(pdn.Error, match="blade: expected stations with fractions"):
+        beamdyn.write_c_header(blade, tmp_path / "blade.h")

@@ -17,6 +17,13 @@ ROOT = pathlib.Path(__file__).parents[2]
 plot = pytest.importorskip("periodyn.plot")
 
 
+@pytest.fixture(autouse=True)
+def no_drawing_is_left():
+    """Which programs that tests run in this process would go on in."""
+    yield
+    matplotlib.pyplot.close("all")
+
+
 def test_curves_of_a_solve():
     model, _, joint, _ = oscillator()
     solution = model.solve_periodic(2 * np.pi)
