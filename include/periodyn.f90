@@ -3677,8 +3677,7 @@ module periodyn_c
         end function pdn_motion_grid_kinematics
 
         ! A frame from a point and two directions, such as that of a joint or a bushing
-        function pdn_joint_frame(point, axis_3, axis_1, &
-            frame) bind(C, name="pdn_joint_frame")
+        function pdn_joint_frame(point, axis_3, axis_1, frame) bind(C, name="pdn_joint_frame")
             import
             real(c_double), intent(in) :: point(*)
             real(c_double), intent(in) :: axis_3(*)
@@ -3822,8 +3821,7 @@ module periodyn
         c_section_set_proportional_damping => pdn_section_set_proportional_damping, &
         c_shell_section_set_proportional_damping => pdn_shell_section_set_proportional_damping, &
         c_motion_interpolate => pdn_motion_interpolate, &
-        c_motion_grid_kinematics => pdn_motion_grid_kinematics, &
-        c_frame_from_axes => pdn_joint_frame
+        c_motion_grid_kinematics => pdn_motion_grid_kinematics, c_joint_frame => pdn_joint_frame
     use, intrinsic :: iso_fortran_env, only: error_unit
     implicit none
     public
@@ -4167,7 +4165,7 @@ module periodyn
         procedure motion_grid_kinematics
     end interface pdn_motion_grid_kinematics
     interface pdn_joint_frame
-        procedure frame_from_axes
+        procedure joint_frame
     end interface pdn_joint_frame
 
     private :: init_section, init_line, init_stations, init_surface, init_shell_section, &
@@ -4179,7 +4177,7 @@ module periodyn
         init_summary, version, version_check, build_info, status_name, status_message, &
         last_error, set_last_error, set_callback_error, section_set_component_damping, &
         section_set_proportional_damping, shell_section_set_proportional_damping, &
-        motion_interpolate, motion_grid_kinematics, frame_from_axes, branch_switch_branch, &
+        motion_interpolate, motion_grid_kinematics, joint_frame, branch_switch_branch, &
         branch_follow_locus, branch_continue_branch, branch_save, branch_load, branch_end, &
         branch_report, branch_count, branch_get, branch_solution, branch_write_csv, &
         branch_write_campbell, conditions_new, conditions_release, conditions_add_phase, &
@@ -4984,7 +4982,7 @@ contains
     end subroutine motion_grid_kinematics
 
     ! A frame from a point and two directions, such as that of a joint or a bushing.
-    subroutine frame_from_axes(point, axis_3, axis_1, frame, stat, errmsg)
+    subroutine joint_frame(point, axis_3, axis_1, frame, stat, errmsg)
         real(c_double), intent(in) :: point(3), axis_3(3), axis_1(3)
         type(pdn_frame), intent(inout) :: frame
         integer, intent(out), optional :: stat
@@ -4992,10 +4990,10 @@ contains
         type(pdn_frame) :: found_frame
         integer(c_int32_t) :: status
 
-        status = c_frame_from_axes(point, axis_3, axis_1, found_frame)
+        status = c_joint_frame(point, axis_3, axis_1, found_frame)
         if (status == PDN_OK) frame = found_frame
         call report(status, stat, errmsg)
-    end subroutine frame_from_axes
+    end subroutine joint_frame
 
     ! Follows the other branch at a point where one begins: a branch point, or a period doubling,
     ! from where motions have twice the period, on one grid point less than twice as many.

@@ -8905,9 +8905,9 @@ pdn_status pdn_motion_grid_kinematics(double period,
  */
 PDN_API
 pdn_status pdn_joint_frame(const double *point,
-                               const double *axis_3,
-                               const double *axis_1,
-                               struct pdn_frame *frame);
+                           const double *axis_3,
+                           const double *axis_1,
+                           struct pdn_frame *frame);
 
 /**
  * Prepares a struct for ::pdn_model_summary; use `PDN_INIT(pdn_summary, &summary)`.

@@ -4060,6 +4060,15 @@ inline MotionGridKinematics motion_grid_kinematics(double period, const Series<3
     return {std::move(velocity), std::move(acceleration), std::move(velocity_tangent),
         std::move(acceleration_tangent)};
 }
+
+/** A frame from a point and two directions, such as that of a joint or a bushing. */
+inline pdn_frame joint_frame(const Vector3 &point, const Vector3 &axis_3, const Vector3 &axis_1)
+{
+    pdn_frame frame{};
+    detail::check(pdn_joint_frame(detail::in(point), detail::in(axis_3), detail::in(axis_1),
+        &frame));
+    return frame;
+}
 // END
 
 } // namespace periodyn

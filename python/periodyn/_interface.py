@@ -6732,3 +6732,24 @@ def motion_grid_kinematics(period, positions, rotations):
         velocity_tangent.swapaxes(-1, -2),
         acceleration_tangent.swapaxes(-1, -2),
     )
+
+
+def joint_frame(point, axis_3, axis_1):
+    """A frame from a point and two directions, such as that of a joint or a bushing.
+
+    Args:
+        point: array of shape (3): its origin, global coordinates [length]
+        axis_3: array of shape (3): direction of its axis 3, global coordinates, of any nonzero
+            length
+        axis_1: array of shape (3): direction whose part across axis 3 is its axis 1, global
+            coordinates; not along axis 3
+
+    Returns:
+        Frame: the frame; axis 2 is what makes it right-handed
+    """
+    point = reals("point", point, (3,))
+    axis_3 = reals("axis_3", axis_3, (3,))
+    axis_1 = reals("axis_1", axis_1, (3,))
+    frame = Frame()
+    call(lib.pdn_joint_frame, pointer(point), pointer(axis_3), pointer(axis_1), frame._c)
+    return frame

@@ -1672,3 +1672,6 @@ def motion_grid_kinematics(
     positions: ArrayLike,
     rotations: ArrayLike,
 ) -> tuple[NDArray[numpy.float64], NDArray[numpy.float64], NDArray[numpy.float64], NDArray[numpy.float64]]: ...
+
+
+def joint_frame(point: ArrayLike, axis_3: ArrayLike, axis_1: ArrayLike) -> Frame: ...
