@@ -244,6 +244,7 @@ impl<'a> Walk<'a> {
                 (from.state.incremented(&system, &to, 1.0), Some(rate))
             }
         };
+        self.predict_resultants(&from.tangent, length);
         let report = self.solve(&mut state, ITERATION_LIMIT)?;
         if report.outcome != Outcome::Converged {
             self.newton.trusts = false;
@@ -279,6 +280,21 @@ impl<'a> Walk<'a> {
             to,
             iterations: report.iterations.len(),
         }))
+    }
+
+    /// Takes the geometric stiffness where a step from the present motions leads at the stress
+    /// resultants that follow from them along the tangent. Those of the strains there are mostly
+    /// what beams and shells that turn stretch by terms of higher order.
+    fn predict_resultants(&mut self, tangent: &[f64], length: f64) {
+        let equations = &mut self.newton.equations;
+        if length == 0.0 || !equations.has_stations() {
+            return;
+        }
+        let increment: Vec<f64> = tangent.iter().map(|x| x * length).collect();
+        // Where they cannot be found, as where elements are too distorted, those of strains serve.
+        if let Ok(resultants) = equations.extrapolated_resultants(&increment) {
+            equations.set_resultants(resultants);
+        }
     }
 
     /// Goes on with another number of grid points; none where the motion cannot be interpolated, is

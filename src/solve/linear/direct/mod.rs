@@ -44,6 +44,9 @@ const UNREFINED: f64 = 0.1;
 const FINER: f64 = 0.1;
 /// Most refinements of a solve.
 const REFINEMENTS: usize = 8;
+/// A refinement that leaves more than this part of the residual is the last: what is left is mostly
+/// rounding of large solutions.
+const STANDS: f64 = 0.5;
 
 /// Direct solver for matrices of one pattern.
 #[derive(Debug)]
@@ -325,12 +328,16 @@ impl DirectSolver {
             better.iter_mut().zip(&*x).for_each(|(b, x)| *b += x);
             let left = self.residual(values, b, &better);
             // Written so that NaN ends it too.
-            let improved = largest(&left) < largest(&rest);
+            let (before, after) = (largest(&rest), largest(&left));
+            let improved = after < before;
             if !improved {
                 break;
             }
             x.copy_from_slice(&better);
             rest = left;
+            if after > STANDS * before {
+                break;
+            }
         }
         largest(&rest)
     }
