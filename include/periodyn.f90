@@ -212,6 +212,7 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_FORCE_IS_USER_FORCE = 1106
     integer(c_int32_t), parameter :: PDN_FORCE_IS_CONTROLLER = 1107
     integer(c_int32_t), parameter :: PDN_FORCE_IS_SURFACE_FORCE = 1108
+    integer(c_int32_t), parameter :: PDN_FORCE_IS_LINE_FORCE = 1109
     integer(c_int32_t), parameter :: PDN_NUMBER_RELAXATION_TIME = 3608
     integer(c_int32_t), parameter :: PDN_FEATURE_MEAN = 2900
     integer(c_int32_t), parameter :: PDN_FEATURE_COSINE = 2901
@@ -554,6 +555,8 @@ module periodyn_c
         real(c_double) :: second_rotation(9)
         integer(c_int32_t) :: shell_element
         integer(c_int32_t) :: shell_place
+        integer(c_int32_t) :: beam_element
+        integer(c_int32_t) :: reserved
     end type pdn_force_info
 
     type, bind(C) :: pdn_sensitivity_options
@@ -789,8 +792,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_controller_fn
         end function pdn_controller_fn
 
-        ! Forces on shells, to be computed by the caller, such as of a fluid: for all points of
-        ! one element at once, each by the motion of this point alone
+        ! Forces on shells or along beams, to be computed by the caller, such as of a fluid: for
+        ! all points of one element at once, each by the motion of this point alone
         function pdn_surface_force_fn(state, values, user_data) bind(C)
             import
             type(pdn_surface_state), intent(in) :: state
@@ -2031,6 +2034,24 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_add_surface_force
         end function pdn_model_add_surface_force
 
+        ! Adds forces along beam elements that a function of the caller computes at the points of
+        ! a quadrature, such as those of the air on a blade: a force, with an id of its own, for
+        ! each element
+        function pdn_model_add_line_force(model, first_element, elements, frame, tangents, &
+            function, user_data, destroy, first_force) bind(C, name="pdn_model_add_line_force")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: first_element
+            integer(c_int32_t), value :: elements
+            integer(c_int32_t), value :: frame
+            integer(c_int32_t), value :: tangents
+            type(c_funptr), value :: function
+            type(c_ptr), value :: user_data
+            type(c_funptr), value :: destroy
+            integer(c_int32_t), intent(inout), optional :: first_force
+            integer(c_int32_t) :: pdn_model_add_line_force
+        end function pdn_model_add_line_force
+
         ! Gives a controller its function, or another one: that of a model from a file is not
         ! there
         function pdn_model_bind_controller(model, force, tangents, function, user_data, &
@@ -2074,8 +2095,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_bind_user_force
         end function pdn_model_bind_user_force
 
-        ! Gives forces on shell elements their function, or another one: that of a model from a
-        ! file is not there
+        ! Gives forces on shell or beam elements their function, or another one: that of a model
+        ! from a file is not there
         function pdn_model_bind_surface_force(model, first_force, forces, frame, tangents, &
             function, user_data, destroy) bind(C, name="pdn_model_bind_surface_force")
             import
@@ -3934,6 +3955,7 @@ module periodyn
         procedure, public :: controller_coordinate => model_controller_coordinate
         procedure, public :: controller_state => model_controller_state
         procedure, public :: add_surface_force => model_add_surface_force
+        procedure, public :: add_line_force => model_add_line_force
         procedure, public :: bind_controller => model_bind_controller
         procedure, public :: bind_coordinate_law => model_bind_coordinate_law
         procedure, public :: bind_user_force => model_bind_user_force
@@ -4154,27 +4176,28 @@ module periodyn
         model_add_viscoelastic, model_add_viscous_damper, model_add_bushing, &
         model_add_coordinate_law, model_add_user_force, model_check_tangents, &
         model_add_controller, model_controller_counts, model_controller_coordinate, &
-        model_controller_state, model_add_surface_force, model_bind_controller, &
-        model_bind_coordinate_law, model_bind_user_force, model_bind_surface_force, &
-        model_set_signal, model_set_force_numbers, model_set_beam_section, model_set_label, &
-        model_label, model_find_label, model_solve_periodic, model_add_parameter, &
-        model_parameter_count, model_parameter, model_parameter_name, model_find_parameter, &
-        model_move_number, model_move_signal, model_set_parameter, model_set_mass_damping, &
-        model_declare_of_phase, model_joint, model_force, model_force_number, model_force_node, &
-        model_beam_element_node_count, model_beam_element_node, model_beam_section, &
-        model_inertia_count, model_inertia, model_inertia_of, model_prescribed, &
-        model_relation_term_count, model_relation_term, model_sample_signal, model_load_count, &
-        model_load_at, model_beam_load_count, model_beam_load, model_beam_load_factor, &
-        model_shell_load_count, model_shell_load, model_solve_conditioned, model_follow_branch, &
-        model_solve_frequency_response, model_solve_static, model_solve_modes, &
-        model_solve_march, model_solve_shooting, model_summary, model_describe, model_copy, &
-        model_save, model_load, modes_outcome, modes_converged, modes_report, modes_count, &
-        modes_get, modes_shape, modes_motion, modes_equilibrium, sensitivities_new, &
-        sensitivities_add_quantity, sensitivities_add_found, sensitivities_add_parameter, &
-        solution_outcome, solution_converged, solution_report, solution_diagnostics, &
-        solution_history, solution_decay, solution_sharp_event_count, solution_sharp_events, &
-        solution_grid_times, solution_sample, solution_sample_flat, solution_harmonics, &
-        solution_extremes, solution_filtered, solution_parameter, solution_sensitivities, &
+        model_controller_state, model_add_surface_force, model_add_line_force, &
+        model_bind_controller, model_bind_coordinate_law, model_bind_user_force, &
+        model_bind_surface_force, model_set_signal, model_set_force_numbers, &
+        model_set_beam_section, model_set_label, model_label, model_find_label, &
+        model_solve_periodic, model_add_parameter, model_parameter_count, model_parameter, &
+        model_parameter_name, model_find_parameter, model_move_number, model_move_signal, &
+        model_set_parameter, model_set_mass_damping, model_declare_of_phase, model_joint, &
+        model_force, model_force_number, model_force_node, model_beam_element_node_count, &
+        model_beam_element_node, model_beam_section, model_inertia_count, model_inertia, &
+        model_inertia_of, model_prescribed, model_relation_term_count, model_relation_term, &
+        model_sample_signal, model_load_count, model_load_at, model_beam_load_count, &
+        model_beam_load, model_beam_load_factor, model_shell_load_count, model_shell_load, &
+        model_solve_conditioned, model_follow_branch, model_solve_frequency_response, &
+        model_solve_static, model_solve_modes, model_solve_march, model_solve_shooting, &
+        model_summary, model_describe, model_copy, model_save, model_load, modes_outcome, &
+        modes_converged, modes_report, modes_count, modes_get, modes_shape, modes_motion, &
+        modes_equilibrium, sensitivities_new, sensitivities_add_quantity, &
+        sensitivities_add_found, sensitivities_add_parameter, solution_outcome, &
+        solution_converged, solution_report, solution_diagnostics, solution_history, &
+        solution_decay, solution_sharp_event_count, solution_sharp_events, solution_grid_times, &
+        solution_sample, solution_sample_flat, solution_harmonics, solution_extremes, &
+        solution_filtered, solution_parameter, solution_sensitivities, &
         solution_multiplier_sensitivities, solution_march, solution_floquet_count, &
         solution_floquet, solution_solve_stability, solution_write_vtk, solution_save, &
         solution_load, solution_model, stability_outcome, stability_converged, &
@@ -5730,9 +5753,12 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_joint, status
 
-        status = pdn_model_add_rigid_joint(self%c, first, second, point, joint)
+        status = pdn_model_add_rigid_joint(self%c, first, second, point, found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_rigid_joint
 
@@ -5744,9 +5770,12 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_joint, status
 
-        status = pdn_model_add_revolute(self%c, first, second, point, axis, joint)
+        status = pdn_model_add_revolute(self%c, first, second, point, axis, found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_revolute
 
@@ -5758,9 +5787,12 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_joint, status
 
-        status = pdn_model_add_prismatic(self%c, first, second, point, axis, joint)
+        status = pdn_model_add_prismatic(self%c, first, second, point, axis, found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_prismatic
 
@@ -5772,9 +5804,12 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_joint, status
 
-        status = pdn_model_add_cylindrical(self%c, first, second, point, axis, joint)
+        status = pdn_model_add_cylindrical(self%c, first, second, point, axis, found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_cylindrical
 
@@ -5786,9 +5821,12 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_joint, status
 
-        status = pdn_model_add_screw(self%c, first, second, point, axis, pitch, joint)
+        status = pdn_model_add_screw(self%c, first, second, point, axis, pitch, found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_screw
 
@@ -5800,9 +5838,12 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_joint, status
 
-        status = pdn_model_add_planar(self%c, first, second, point, normal, joint)
+        status = pdn_model_add_planar(self%c, first, second, point, normal, found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_planar
 
@@ -5814,9 +5855,12 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_joint, status
 
-        status = pdn_model_add_free_joint(self%c, first, second, point, joint)
+        status = pdn_model_add_free_joint(self%c, first, second, point, found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_free_joint
 
@@ -5828,9 +5872,12 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_joint, status
 
-        status = pdn_model_add_spherical(self%c, first, second, point, joint)
+        status = pdn_model_add_spherical(self%c, first, second, point, found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_spherical
 
@@ -5843,10 +5890,13 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_joint, status
 
         status = pdn_model_add_universal(self%c, first, second, point, first_arm, second_arm, &
-            joint)
+            found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_universal
 
@@ -5859,9 +5909,13 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_joint, status
 
-        status = pdn_model_add_strut(self%c, first, second, first_point, second_point, joint)
+        status = pdn_model_add_strut(self%c, first, second, first_point, second_point, &
+            found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_strut
 
@@ -5874,10 +5928,13 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_joint, status
 
         status = pdn_model_add_joint(self%c, kind, first, second, first_frame, second_frame, &
-            joint)
+            found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_joint
 
@@ -5891,10 +5948,13 @@ contains
         integer(c_int32_t), intent(inout), optional :: joint
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found_joint, status
 
         status = pdn_model_add_screw_between(self%c, first, second, first_frame, second_frame, &
-            pitch, joint)
+            pitch, found_joint)
+        if (status == PDN_OK) then
+            if (present(joint)) joint = found_joint
+        end if
         call report(status, stat, errmsg)
     end subroutine model_add_screw_between
 
@@ -6817,6 +6877,35 @@ contains
         call report(status, stat, errmsg)
     end subroutine model_add_surface_force
 
+    ! Adds forces along beam elements that a function of the caller computes at the points of a
+    ! quadrature, such as those of the air on a blade: a force, with an id of its own, for each
+    ! element.
+    subroutine model_add_line_force(self, first_element, elements, frame, tangents, function, &
+        user_data, destroy, first_force, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first_element, elements, frame, tangents
+        procedure(pdn_surface_force_fn) :: function
+        type(c_ptr), intent(in), optional :: user_data
+        procedure(pdn_destroy_fn), optional :: destroy
+        integer(c_int32_t), intent(inout), optional :: first_force
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: raw_user_data
+        type(c_funptr) :: raw_destroy
+        integer(c_int32_t) :: found_first_force, status
+
+        raw_user_data = c_null_ptr
+        if (present(user_data)) raw_user_data = user_data
+        raw_destroy = c_null_funptr
+        if (present(destroy)) raw_destroy = c_funloc(destroy)
+        status = pdn_model_add_line_force(self%c, first_element, elements, frame, tangents, &
+            c_funloc(function), raw_user_data, raw_destroy, found_first_force)
+        if (status == PDN_OK) then
+            if (present(first_force)) first_force = found_first_force
+        end if
+        call report(status, stat, errmsg)
+    end subroutine model_add_line_force
+
     ! Gives a controller its function, or another one: that of a model from a file is not there.
     subroutine model_bind_controller(self, force, tangents, function, user_data, destroy, stat, &
         errmsg)
@@ -6888,8 +6977,8 @@ contains
         call report(status, stat, errmsg)
     end subroutine model_bind_user_force
 
-    ! Gives forces on shell elements their function, or another one: that of a model from a file
-    ! is not there.
+    ! Gives forces on shell or beam elements their function, or another one: that of a model from
+    ! a file is not there.
     subroutine model_bind_surface_force(self, first_force, forces, frame, tangents, function, &
         user_data, destroy, stat, errmsg)
         class(pdn_model), intent(inout) :: self
