@@ -212,6 +212,7 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_FORCE_IS_USER_FORCE = 1106
     integer(c_int32_t), parameter :: PDN_FORCE_IS_CONTROLLER = 1107
     integer(c_int32_t), parameter :: PDN_FORCE_IS_SURFACE_FORCE = 1108
+    integer(c_int32_t), parameter :: PDN_FORCE_IS_LINE_FORCE = 1109
     integer(c_int32_t), parameter :: PDN_NUMBER_RELAXATION_TIME = 3608
     integer(c_int32_t), parameter :: PDN_FEATURE_MEAN = 2900
     integer(c_int32_t), parameter :: PDN_FEATURE_COSINE = 2901
@@ -554,6 +555,8 @@ module periodyn_c
         real(c_double) :: second_rotation(9)
         integer(c_int32_t) :: shell_element
         integer(c_int32_t) :: shell_place
+        integer(c_int32_t) :: beam_element
+        integer(c_int32_t) :: reserved
     end type pdn_force_info
 
     type, bind(C) :: pdn_sensitivity_options
@@ -789,8 +792,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_controller_fn
         end function pdn_controller_fn
 
-        ! Forces on shells, to be computed by the caller, such as of a fluid: for all points of
-        ! one element at once, each by the motion of this point alone
+        ! Forces on shells or along beams, to be computed by the caller, such as of a fluid: for
+        ! all points of one element at once, each by the motion of this point alone
         function pdn_surface_force_fn(state, values, user_data) bind(C)
             import
             type(pdn_surface_state), intent(in) :: state
@@ -2031,6 +2034,24 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_add_surface_force
         end function pdn_model_add_surface_force
 
+        ! Adds forces along beam elements that a function of the caller computes at the points of
+        ! a quadrature, such as those of the air on a blade: a force, with an id of its own, for
+        ! each element
+        function pdn_model_add_line_force(model, first_element, elements, frame, tangents, &
+            function, user_data, destroy, first_force) bind(C, name="pdn_model_add_line_force")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: first_element
+            integer(c_int32_t), value :: elements
+            integer(c_int32_t), value :: frame
+            integer(c_int32_t), value :: tangents
+            type(c_funptr), value :: function
+            type(c_ptr), value :: user_data
+            type(c_funptr), value :: destroy
+            integer(c_int32_t), intent(inout), optional :: first_force
+            integer(c_int32_t) :: pdn_model_add_line_force
+        end function pdn_model_add_line_force
+
         ! Gives a controller its function, or another one: that of a model from a file is not
         ! there
         function pdn_model_bind_controller(model, force, tangents, function, user_data, &
@@ -2074,8 +2095,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_bind_user_force
         end function pdn_model_bind_user_force
 
-        ! Gives forces on shell elements their function, or another one: that of a model from a
-        ! file is not there
+        ! Gives forces on shell or beam elements their function, or another one: that of a model
+        ! from a file is not there
         function pdn_model_bind_surface_force(model, first_force, forces, frame, tangents, &
             function, user_data, destroy) bind(C, name="pdn_model_bind_surface_force")
             import
@@ -3980,6 +4001,7 @@ module periodyn
         procedure, public :: controller_coordinate => model_controller_coordinate
         procedure, public :: controller_state => model_controller_state
         procedure, public :: add_surface_force => model_add_surface_force
+        procedure, public :: add_line_force => model_add_line_force
         procedure, public :: bind_controller => model_bind_controller
         procedure, public :: bind_coordinate_law => model_bind_coordinate_law
         procedure, public :: bind_user_force => model_bind_user_force
@@ -4206,14 +4228,14 @@ module periodyn
         model_add_viscoelastic, model_add_viscous_damper, model_add_bushing, &
         model_add_coordinate_law, model_add_user_force, model_check_tangents, &
         model_add_controller, model_controller_counts, model_controller_coordinate, &
-        model_controller_state, model_add_surface_force, model_bind_controller, &
-        model_bind_coordinate_law, model_bind_user_force, model_bind_surface_force, &
-        model_set_signal, model_set_force_numbers, model_set_beam_section, &
-        model_set_shell_section, model_set_inertia, model_set_label, model_label, &
-        model_find_label, model_solve_periodic, model_add_parameter, model_parameter_count, &
-        model_parameter, model_parameter_name, model_find_parameter, model_move_number, &
-        model_move_signal, model_set_parameter, model_set_mass_damping, model_declare_of_phase, &
-        model_joint, model_force, model_force_number, model_force_node, &
+        model_controller_state, model_add_surface_force, model_add_line_force, &
+        model_bind_controller, model_bind_coordinate_law, model_bind_user_force, &
+        model_bind_surface_force, model_set_signal, model_set_force_numbers, &
+        model_set_beam_section, model_set_shell_section, model_set_inertia, model_set_label, &
+        model_label, model_find_label, model_solve_periodic, model_add_parameter, &
+        model_parameter_count, model_parameter, model_parameter_name, model_find_parameter, &
+        model_move_number, model_move_signal, model_set_parameter, model_set_mass_damping, &
+        model_declare_of_phase, model_joint, model_force, model_force_number, model_force_node, &
         model_beam_element_node_count, model_beam_element_node, model_beam_section, &
         model_inertia_count, model_inertia, model_inertia_of, model_prescribed, &
         model_relation_term_count, model_relation_term, model_sample_signal, model_load_count, &
@@ -6921,6 +6943,35 @@ contains
         call report(status, stat, errmsg)
     end subroutine model_add_surface_force
 
+    ! Adds forces along beam elements that a function of the caller computes at the points of a
+    ! quadrature, such as those of the air on a blade: a force, with an id of its own, for each
+    ! element.
+    subroutine model_add_line_force(self, first_element, elements, frame, tangents, function, &
+        user_data, destroy, first_force, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first_element, elements, frame, tangents
+        procedure(pdn_surface_force_fn) :: function
+        type(c_ptr), intent(in), optional :: user_data
+        procedure(pdn_destroy_fn), optional :: destroy
+        integer(c_int32_t), intent(inout), optional :: first_force
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: raw_user_data
+        type(c_funptr) :: raw_destroy
+        integer(c_int32_t) :: found_first_force, status
+
+        raw_user_data = c_null_ptr
+        if (present(user_data)) raw_user_data = user_data
+        raw_destroy = c_null_funptr
+        if (present(destroy)) raw_destroy = c_funloc(destroy)
+        status = pdn_model_add_line_force(self%c, first_element, elements, frame, tangents, &
+            c_funloc(function), raw_user_data, raw_destroy, found_first_force)
+        if (status == PDN_OK) then
+            if (present(first_force)) first_force = found_first_force
+        end if
+        call report(status, stat, errmsg)
+    end subroutine model_add_line_force
+
     ! Gives a controller its function, or another one: that of a model from a file is not there.
     subroutine model_bind_controller(self, force, tangents, function, user_data, destroy, stat, &
         errmsg)
@@ -6992,8 +7043,8 @@ contains
         call report(status, stat, errmsg)
     end subroutine model_bind_user_force
 
-    ! Gives forces on shell elements their function, or another one: that of a model from a file
-    ! is not there.
+    ! Gives forces on shell or beam elements their function, or another one: that of a model from
+    ! a file is not there.
     subroutine model_bind_surface_force(self, first_force, forces, frame, tangents, function, &
         user_data, destroy, stat, errmsg)
         class(pdn_model), intent(inout) :: self

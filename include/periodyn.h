@@ -1068,6 +1068,11 @@
 #define PDN_FORCE_IS_SURFACE_FORCE 1108
 
 /**
+ * Kind of force: forces of the user along a beam element.
+ */
+#define PDN_FORCE_IS_LINE_FORCE 1109
+
+/**
  * Numbers of a force: relaxation times of the branches of a viscoelastic element. Parameters do
  * not move them.
  */
@@ -1968,8 +1973,8 @@ typedef int32_t (*pdn_controller_fn)(const struct pdn_controller_state *state,
                                      void *user_data);
 
 /**
- * What a user's forces on a shell element may depend on: the points of a quadrature over its
- * surface or an edge. The library makes it; a later one may add fields at its end.
+ * What a user's forces on a shell or beam element may depend on: the points of a quadrature over
+ * its surface, an edge or its line. The library makes it; a later one may add fields at its end.
  */
 typedef struct pdn_surface_state {
     /**
@@ -1982,7 +1987,7 @@ typedef struct pdn_surface_state {
      */
     double time;
     /**
-     * Id of the shell element.
+     * Id of the shell element, or of the beam element.
      */
     int32_t element;
     /**
@@ -1994,12 +1999,12 @@ typedef struct pdn_surface_state {
      */
     size_t point_count;
     /**
-     * Array of shape 2 x [point_count]: xi and eta of each, from -1 to 1.
+     * Array of shape 2 x [point_count]: xi and eta of each, from -1 to 1; eta is 0 on beams.
      */
     const double *places;
     /**
-     * Array of length [point_count]: the reference area, or length of an edge, that each stands
-     * for: a force is this much of what the function gives.
+     * Array of length [point_count]: the reference area, or length of an edge or beam, that each
+     * stands for: a force is this much of what the function gives.
      */
     const double *sizes;
     /**
@@ -2009,7 +2014,8 @@ typedef struct pdn_surface_state {
     /**
      * Array of shape 9 x [point_count]: rotation matrices, column by column; the columns are the
      * axes of the point in global coordinates, those of a follower load: on the surface axes 1, 2
-     * and the normal, on an edge 1 along it, 3 along the normal, and 2 = 3 * 1.
+     * and the normal, on an edge 1 along it, 3 along the normal, and 2 = 3 * 1; along a beam those
+     * of its section.
      */
     const double *rotations;
     /**
@@ -2021,8 +2027,8 @@ typedef struct pdn_surface_state {
 } pdn_surface_state;
 
 /**
- * Where a user's forces on a shell element go. The library makes it, with all arrays set to zero;
- * a later one may add fields.
+ * Where a user's forces on a shell or beam element go. The library makes it, with all arrays set
+ * to zero; a later one may add fields.
  *
  * Everything is along the same axes as the velocities, for each unit of reference area or length.
  * Rows and columns of the tangents are those of ::pdn_force_values, of one point.
@@ -2049,8 +2055,8 @@ typedef struct pdn_surface_values {
 } pdn_surface_values;
 
 /**
- * Forces on shells, to be computed by the caller, such as of a fluid: for all points of one
- * element at once, each by the motion of this point alone.
+ * Forces on shells or along beams, to be computed by the caller, such as of a fluid: for all
+ * points of one element at once, each by the motion of this point alone.
  *
  * Called on the thread that solves; if two threads solve at once, on both at once. The same state
  * must give the same forces, and over time they must repeat with the period: solves call it first
@@ -2060,7 +2066,7 @@ typedef struct pdn_surface_values {
  *
  * @param state  time and motions of the points; valid during the call only
  * @param values  where the forces go, all zero at first; valid during the call only
- * @param user_data  as given to ::pdn_model_add_surface_force
+ * @param user_data  as given to ::pdn_model_add_surface_force or ::pdn_model_add_line_force
  * @return 0 for success; anything else makes the solve fail with PDN_ERR_CALLBACK (see
  *     ::pdn_set_callback_error and ::pdn_last_callback_code), as does a value that is not finite
  */
@@ -2688,7 +2694,7 @@ typedef struct pdn_force_info {
      */
     size_t struct_size;
     /**
-     * PDN_FORCE_IS_SPRING_DAMPER ... PDN_FORCE_IS_SURFACE_FORCE; of a controller
+     * PDN_FORCE_IS_SPRING_DAMPER ... PDN_FORCE_IS_LINE_FORCE; of a controller
      * ::pdn_model_controller_counts tells more.
      */
     int32_t kind;
@@ -2757,6 +2763,14 @@ typedef struct pdn_force_info {
      * Where on it: PDN_SHELL_SURFACE or an edge; else -1.
      */
     int32_t shell_place;
+    /**
+     * Of forces of the user along a beam, id of the element; else -1.
+     */
+    int32_t beam_element;
+    /**
+     * Zero.
+     */
+    int32_t reserved;
 } pdn_force_info;
 
 /**
@@ -5630,7 +5644,7 @@ void pdn_tangent_check_init(struct pdn_tangent_check *check,
  *
  * @param model  the model; not NULL
  * @param force  id of a force by ::pdn_model_add_coordinate_law, ::pdn_model_add_user_force,
- *     ::pdn_model_add_controller or ::pdn_model_add_surface_force
+ *     ::pdn_model_add_controller, ::pdn_model_add_surface_force or ::pdn_model_add_line_force
  * @param period  the period that the model is to be solved for, positive [time]
  * @param check  initialised by PDN_INIT; filled on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
@@ -5805,6 +5819,49 @@ pdn_status pdn_model_add_surface_force(struct pdn_model *model,
                                        int32_t *first_force);
 
 /**
+ * Adds forces along beam elements that a function of the caller computes at the points of a
+ * quadrature, such as those of the air on a blade: a force, with an id of its own, for each
+ * element.
+ *
+ * They act on the line of the beam, for each unit of its reference length, and move with the
+ * sections, as loads do (::pdn_model_add_distributed_load): at as many points of Gauss as the
+ * element has nodes. These are more while the error of the mesh is estimated, with elements of a
+ * higher degree under the same ids. ::pdn_model_bind_surface_force gives a model from a file the
+ * function again.
+ *
+ * @param model  the model; not NULL
+ * @param first_element  id of the first beam element, such as the first_element of a ::pdn_beam
+ * @param elements  number of elements, from the first on, such as the elements of a ::pdn_beam; at
+ *     least 1
+ * @param frame  PDN_FRAME_SPACE: velocities, forces and tangents are along the global axes;
+ *     PDN_FRAME_MATERIAL: along those of the section at each point, twisted as they are
+ * @param tangents  PDN_TANGENTS_GIVEN if the function writes tangents, which
+ *     ::pdn_model_check_tangents checks; PDN_TANGENTS_DIFFERENCED if the library is to find them
+ *     by differences, at the price of 24 calls an element
+ * @param function  the forces, see ::pdn_surface_force_fn for when it is called; not NULL
+ * @param user_data  handed to the function; may be NULL
+ * @param destroy  called once with user_data when the model, its copies in solutions included, no
+ *     longer needs it, on the thread that frees the last; may be NULL. It is not called if this
+ *     call fails
+ * @param first_force  id of the force on the first element, which those on the others follow; may
+ *     be NULL if it is not wanted; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_line_force(struct pdn_model *model,
+                                    int32_t first_element,
+                                    int32_t elements,
+                                    int32_t frame,
+                                    int32_t tangents,
+                                    pdn_surface_force_fn function,
+                                    void *user_data,
+                                    pdn_destroy_fn destroy,
+                                    int32_t *first_force);
+
+/**
  * Gives a controller its function, or another one: that of a model from a file is not there.
  *
  * @param model  the model; not NULL
@@ -5882,12 +5939,12 @@ pdn_status pdn_model_bind_user_force(struct pdn_model *model,
                                      pdn_destroy_fn destroy);
 
 /**
- * Gives forces on shell elements their function, or another one: that of a model from a file is
- * not there.
+ * Gives forces on shell or beam elements their function, or another one: that of a model from a
+ * file is not there.
  *
  * @param model  the model; not NULL
- * @param first_force  id of the first of the forces, by ::pdn_model_add_surface_force;
- *     ::pdn_model_find_label finds it by its label
+ * @param first_force  id of the first of the forces, by ::pdn_model_add_surface_force or
+ *     ::pdn_model_add_line_force; ::pdn_model_find_label finds it by its label
  * @param forces  number of forces, in order: one on each element, at least 1
  * @param frame  PDN_FRAME_SPACE or PDN_FRAME_MATERIAL, as in ::pdn_model_add_surface_force
  * @param tangents  PDN_TANGENTS_GIVEN or PDN_TANGENTS_DIFFERENCED
@@ -5896,7 +5953,7 @@ pdn_status pdn_model_bind_user_force(struct pdn_model *model,
  * @param destroy  called once with user_data as in ::pdn_model_add_surface_force; may be NULL. It
  *     is not called if this call fails
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE
- *     (one of the forces is none on a shell by a function)
+ *     (one of the forces is none on a shell or beam by a function)
  *
  * Threads: exclusive use of `model`.
  * @since 0.1

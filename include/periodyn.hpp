@@ -192,6 +192,8 @@ enum class ForceKind : std::int32_t {
     controller = PDN_FORCE_IS_CONTROLLER,
     /** Kind of force: forces of the user on a shell element. */
     surface_force = PDN_FORCE_IS_SURFACE_FORCE,
+    /** Kind of force: forces of the user along a beam element. */
+    line_force = PDN_FORCE_IS_LINE_FORCE,
 };
 /** JointKind: Joint that allows no relative motion. */
 enum class JointKind : std::int32_t {
@@ -930,28 +932,28 @@ struct ControllerValues {
         state.state_count}};
 };
 
-/** What a user's forces on a shell element may depend on: the points of a quadrature over its
- * surface or an edge. */
+/** What a user's forces on a shell or beam element may depend on: the points of a quadrature over
+ * its surface, an edge or its line. */
 struct SurfaceState {
     /** As the library made it. */
     const pdn_surface_state &state;
     /** Time, in [0, T) of the period T of the solve, but for the first calls of a solve
      * (::pdn_surface_force_fn). */
     const double time = state.time;
-    /** Id of the shell element. */
+    /** Id of the shell element, or of the beam element. */
     const std::int32_t element = state.element;
     /** Number of points. */
     const std::size_t point_count = state.point_count;
-    /** Xi and eta of each, from -1 to 1. */
+    /** Xi and eta of each, from -1 to 1; eta is 0 on beams. */
     const Entries<const double, 2> places{state.places, {2, state.point_count}};
-    /** The reference area, or length of an edge, that each stands for: a force is this much of what
-     * the function gives. */
+    /** The reference area, or length of an edge or beam, that each stands for: a force is this much
+     * of what the function gives. */
     const Entries<const double, 1> sizes{state.sizes, {state.point_count}};
     /** Positions, global coordinates [length]. */
     const Entries<const double, 2> positions{state.positions, {3, state.point_count}};
     /** Rotation matrices, column by column; the columns are the axes of the point in global
      * coordinates, those of a follower load: on the surface axes 1, 2 and the normal, on an edge 1
-     * along it, 3 along the normal, and 2 = 3 * 1. */
+     * along it, 3 along the normal, and 2 = 3 * 1; along a beam those of its section. */
     const Entries<const double, 2> rotations{state.rotations, {9, state.point_count}};
     /** Velocity and angular velocity of each point relative to the inertial frame, also in a steady
      * rotation (::pdn_solve_static), along the global axes (PDN_FRAME_SPACE) or the point's own
@@ -959,7 +961,7 @@ struct SurfaceState {
     const Entries<const double, 2> velocities{state.velocities, {6, state.point_count}};
 };
 
-/** Where a user's forces on a shell element go. */
+/** Where a user's forces on a shell or beam element go. */
 struct SurfaceValues {
     /** As the library made it. */
     const pdn_surface_state &state;
@@ -1042,8 +1044,8 @@ std::int32_t controller_fn(const pdn_controller_state *state, pdn_controller_val
     });
 }
 
-/** Forces on shells, to be computed by the caller, such as of a fluid: for all points of one
- * element at once, each by the motion of this point alone. */
+/** Forces on shells or along beams, to be computed by the caller, such as of a fluid: for all
+ * points of one element at once, each by the motion of this point alone. */
 template <class Function>
 std::int32_t surface_force_fn(const pdn_surface_state *state, pdn_surface_values *values,
     void *function) noexcept
@@ -2401,6 +2403,21 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         }, std::move(function));
         return first_force_;
     }
+    /** Adds forces along beam elements that a function of the caller computes at the points of a
+     * quadrature, such as those of the air on a blade: a force, with an id of its own, for each
+     * element. */
+    template <class Function>
+    std::int32_t add_line_force(std::int32_t first_element, std::int32_t elements, Frame frame,
+        Tangents tangents, Function function)
+    {
+        std::int32_t first_force_ = 0;
+        detail::hand_over([&](void *owned, pdn_destroy_fn destroy) {
+            return pdn_model_add_line_force(get(), first_element, elements, detail::in(frame),
+                detail::in(tangents), &detail::surface_force_fn<Function>, owned, destroy,
+                &first_force_);
+        }, std::move(function));
+        return first_force_;
+    }
     /** Gives a controller its function, or another one: that of a model from a file is not
      * there. */
     template <class Function>
@@ -2431,8 +2448,8 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
                 &detail::user_force_fn<Function>, owned, destroy);
         }, std::move(function));
     }
-    /** Gives forces on shell elements their function, or another one: that of a model from a file
-     * is not there. */
+    /** Gives forces on shell or beam elements their function, or another one: that of a model from
+     * a file is not there. */
     template <class Function>
     void bind_surface_force(std::int32_t first_force_, std::int32_t forces, Frame frame,
         Tangents tangents, Function function)

@@ -140,10 +140,10 @@ def _controller(state, values, data):
 
 
 class SurfaceState:
-    """What forces on a shell element may depend on: `time`, the id of the `element`, and of its
-    points `places` (points x 2), `sizes` (the area or length that each stands for), `positions`
-    (points x 3), `rotations` (points x 3 x 3, the normal last) and `velocities` (points x 6), along
-    the axes that were asked for; during the call only."""
+    """What forces on a shell or beam element may depend on: `time`, the id of the `element`, and
+    of its points `places` (points x 2), `sizes` (the area or length that each stands for),
+    `positions` (points x 3), `rotations` (points x 3 x 3, a normal last) and `velocities`
+    (points x 6), along the axes that were asked for; during the call only."""
 
     def __init__(self, c):
         count = c.point_count
@@ -156,7 +156,7 @@ class SurfaceState:
 
 
 class SurfaceValues:
-    """Where forces on a shell element go: `forces` (points x 6) for each unit of area or length,
+    """Where forces on an element go: `forces` (points x 6) for each unit of area or length,
     all zero at first; `by_motion` and `by_velocity` (points x 6 x 6, row: force, column: motion),
     None where they are not wanted."""
 

@@ -494,6 +494,8 @@ FORCE_IS_CONTROLLER = 1107
 """Kind of force: a controller."""
 FORCE_IS_SURFACE_FORCE = 1108
 """Kind of force: forces of the user on a shell element."""
+FORCE_IS_LINE_FORCE = 1109
+"""Kind of force: forces of the user along a beam element."""
 NUMBER_RELAXATION_TIME = 3608
 """Numbers of a force: relaxation times of the branches of a viscoelastic element. Parameters do
 not move them.
@@ -1476,7 +1478,7 @@ class ForceInfo(Struct):
     _type = "pdn_force_info"
     _initialise = lib.pdn_force_info_init
     kind = Number("kind")
-    """FORCE_IS_SPRING_DAMPER ... FORCE_IS_SURFACE_FORCE; of a controller Model.controller_counts
+    """FORCE_IS_SPRING_DAMPER ... FORCE_IS_LINE_FORCE; of a controller Model.controller_counts
     tells more.
     """
     joint = Number("joint")
@@ -1513,6 +1515,8 @@ class ForceInfo(Struct):
     """Of forces of the user on a shell, id of the element; else -1."""
     shell_place = Number("shell_place")
     """Where on it: SHELL_SURFACE or an edge; else -1."""
+    beam_element = Number("beam_element")
+    """Of forces of the user along a beam, id of the element; else -1."""
 
 
 class SensitivityOptions(Struct):
@@ -4117,7 +4121,7 @@ class Model(ModelExtras):
 
         Args:
             force: id of a force by Model.add_coordinate_law, Model.add_user_force,
-                Model.add_controller or Model.add_surface_force
+                Model.add_controller, Model.add_surface_force or Model.add_line_force
             period: the period that the model is to be solved for, positive [time]
 
         Returns:
@@ -4294,6 +4298,47 @@ class Model(ModelExtras):
         )
         return first_force[0]
 
+    def add_line_force(self, first_element, elements, frame, tangents, function):
+        """Adds forces along beam elements that a function of the caller computes at the points of
+        a quadrature, such as those of the air on a blade: a force, with an id of its own, for
+        each element.
+
+        They act on the line of the beam, for each unit of its reference length, and move with
+        the sections, as loads do (Model.add_distributed_load): at as many points of Gauss as
+        the element has nodes. These are more while the error of the mesh is estimated, with
+        elements of a higher degree under the same ids. Model.bind_surface_force gives a model
+        from a file the function again.
+
+        Args:
+            first_element: id of the first beam element, such as the first_element of a Beam
+            elements: number of elements, from the first on, such as the elements of a Beam; at
+                least 1
+            frame: FRAME_SPACE: velocities, forces and tangents are along the global axes;
+                FRAME_MATERIAL: along those of the section at each point, twisted as they are
+            tangents: TANGENTS_GIVEN if the function writes tangents, which Model.check_tangents
+                checks; TANGENTS_DIFFERENCED if the library is to find them by differences, at
+                the price of 24 calls an element
+            function: the forces
+
+        Returns:
+            first_force: id of the force on the first element, which those on the others follow
+        """
+        function = _callbacks.surface_force(function, self._kept)
+        first_force = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_add_line_force,
+            self._c,
+            first_element,
+            elements,
+            frame,
+            tangents,
+            function.function,
+            function.data,
+            ffi.NULL,
+            first_force,
+        )
+        return first_force[0]
+
     def bind_controller(self, force, tangents, function):
         """Gives a controller its function, or another one: that of a model from a file is not
         there.
@@ -4358,12 +4403,12 @@ class Model(ModelExtras):
         )
 
     def bind_surface_force(self, first_force, forces, frame, tangents, function):
-        """Gives forces on shell elements their function, or another one: that of a model from a
-        file is not there.
+        """Gives forces on shell or beam elements their function, or another one: that of a model
+        from a file is not there.
 
         Args:
-            first_force: id of the first of the forces, by Model.add_surface_force;
-                Model.find_label finds it by its label
+            first_force: id of the first of the forces, by Model.add_surface_force or
+                Model.add_line_force; Model.find_label finds it by its label
             forces: number of forces, in order: one on each element, at least 1
             frame: FRAME_SPACE or FRAME_MATERIAL, as in Model.add_surface_force
             tangents: TANGENTS_GIVEN or TANGENTS_DIFFERENCED

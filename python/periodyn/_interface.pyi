@@ -218,6 +218,7 @@ FORCE_IS_BUSHING: int
 FORCE_IS_USER_FORCE: int
 FORCE_IS_CONTROLLER: int
 FORCE_IS_SURFACE_FORCE: int
+FORCE_IS_LINE_FORCE: int
 NUMBER_RELAXATION_TIME: int
 FEATURE_MEAN: int
 FEATURE_COSINE: int
@@ -508,6 +509,7 @@ class ForceInfo(Struct):
     second_rotation: NDArray[numpy.float64]
     shell_element: int
     shell_place: int
+    beam_element: int
 
 
 class SensitivityOptions(Struct):
@@ -1152,6 +1154,15 @@ class Model(ModelExtras):
         first_element: int,
         elements: int,
         place: int,
+        frame: int,
+        tangents: int,
+        function: Callable[..., object],
+    ) -> int: ...
+
+    def add_line_force(
+        self,
+        first_element: int,
+        elements: int,
         frame: int,
         tangents: int,
         function: Callable[..., object],

@@ -111,6 +111,40 @@ def test_tangents_are_row_by_column():
     assert model.check_tangents(user, 1.0).error < 1e-6
 
 
+def test_a_function_along_a_beam_is_the_load_that_it_gives():
+    """A lift, linear along two elements, and drag, which takes a velocity that there is not."""
+    section = pdn.Section().set_diagonal([8e3, 3e3, 3e3, 14, 9, 25], [0.3, 1e-5, 5e-6, 5e-6])
+
+    def bent(tangents):
+        model = pdn.Model()
+        beam = model.add_straight_beam([0, 0, 0], [1, 0, 0], [0, 1, 0], section, 2, 3)
+        model.add_rigid_joint(pdn.GROUND, beam.first, [0, 0, 0])
+        if tangents is None:
+            lift = pdn.Signal().set_constant(3.0)
+            model.add_distributed_load(beam.first_element, 2, pdn.FRAME_MATERIAL, pdn.FORCE_3,
+                                       lift, [0, 1], [1, 2])
+        else:
+            def wind(state, values):
+                along = (state.element - beam.first_element + (state.places[:, 0] + 1) / 2) / 2
+                np.testing.assert_allclose(state.sizes.sum(), 0.5)
+                assert state.rotations.shape[1:] == (3, 3) and not state.places[:, 1].any()
+                values.forces[:, 2] = 3 * (1 + along) - 0.1 * state.velocities[:, 2]
+                if values.by_velocity is not None:
+                    values.by_velocity[:, 2, 2] = -0.1
+
+            force = model.add_line_force(beam.first_element, 2, pdn.FRAME_MATERIAL, tangents, wind)
+            assert model.force(force + 1).kind == pdn.FORCE_IS_LINE_FORCE
+            assert model.force(force + 1).beam_element == beam.first_element + 1
+            if tangents == pdn.TANGENTS_GIVEN:
+                assert model.check_tangents(force, 1.0).error < 1e-7
+        return model.solve_static().sample(pdn.Quantity(pdn.NODE_POSITION, beam.last), [0])[0]
+
+    wanted = bent(None)
+    assert wanted[2] > 0.05
+    for tangents in (pdn.TANGENTS_GIVEN, pdn.TANGENTS_DIFFERENCED):
+        np.testing.assert_allclose(bent(tangents), wanted, rtol=0, atol=1e-12)
+
+
 def test_laws_with_and_without_derivatives():
     expected, node, *_ = oscillator()
     wanted = expected.solve_periodic(2 * np.pi).sample(pdn.Quantity(pdn.NODE_POSITION, node), 1.0)

@@ -122,12 +122,12 @@ pub unsafe extern "C" fn pdn_model_bind_user_force(
     })
 }
 
-/// Gives forces on shell elements their function, or another one: that of a model from a file is
-/// not there.
+/// Gives forces on shell or beam elements their function, or another one: that of a model from a
+/// file is not there.
 ///
 /// @param model  the model; not NULL
-/// @param first_force  id of the first of the forces, by ::pdn_model_add_surface_force;
-///     ::pdn_model_find_label finds it by its label
+/// @param first_force  id of the first of the forces, by ::pdn_model_add_surface_force or
+///     ::pdn_model_add_line_force; ::pdn_model_find_label finds it by its label
 /// @param forces  number of forces, in order: one on each element, at least 1
 /// @param frame  PDN_FRAME_SPACE or PDN_FRAME_MATERIAL, as in ::pdn_model_add_surface_force
 /// @param tangents  PDN_TANGENTS_GIVEN or PDN_TANGENTS_DIFFERENCED
@@ -136,7 +136,7 @@ pub unsafe extern "C" fn pdn_model_bind_user_force(
 /// @param destroy  called once with user_data as in ::pdn_model_add_surface_force; may be NULL. It
 ///     is not called if this call fails
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE
-///     (one of the forces is none on a shell by a function)
+///     (one of the forces is none on a shell or beam by a function)
 ///
 /// Threads: exclusive use of `model`.
 /// @since 0.1

@@ -10,7 +10,7 @@ use super::parameter::{PDN_NUMBER_DAMPING, PDN_NUMBER_STIFFNESS, signal_place};
 use super::section::pdn_section;
 use super::shell::place_code;
 use super::status::pdn_status;
-use crate::elements::{Attachment, JointKind};
+use crate::elements::{Attachment, ForcePlace, JointKind};
 use crate::error::{Error, ErrorKind, Result};
 use crate::model::{ForceDefinition, ForceNumber, Model};
 
@@ -32,6 +32,8 @@ pub const PDN_FORCE_IS_USER_FORCE: i32 = 1106;
 pub const PDN_FORCE_IS_CONTROLLER: i32 = 1107;
 /// Kind of force: forces of the user on a shell element.
 pub const PDN_FORCE_IS_SURFACE_FORCE: i32 = 1108;
+/// Kind of force: forces of the user along a beam element.
+pub const PDN_FORCE_IS_LINE_FORCE: i32 = 1109;
 
 /// Numbers of a force: relaxation times of the branches of a viscoelastic element. Parameters do
 /// not move them.
@@ -74,7 +76,7 @@ unsafe impl Options for pdn_joint_info {
 pub struct pdn_force_info {
     /// Set by the initialiser.
     pub struct_size: usize,
-    /// PDN_FORCE_IS_SPRING_DAMPER ... PDN_FORCE_IS_SURFACE_FORCE; of a controller
+    /// PDN_FORCE_IS_SPRING_DAMPER ... PDN_FORCE_IS_LINE_FORCE; of a controller
     /// ::pdn_model_controller_counts tells more.
     pub kind: i32,
     /// Id of the joint on whose coordinate it acts, or -1.
@@ -110,11 +112,15 @@ pub struct pdn_force_info {
     pub shell_element: i32,
     /// Where on it: PDN_SHELL_SURFACE or an edge; else -1.
     pub shell_place: i32,
+    /// Of forces of the user along a beam, id of the element; else -1.
+    pub beam_element: i32,
+    /// Zero.
+    pub reserved: i32,
 }
 
 // SAFETY: all fields are plain numbers, `struct_size` is the first, no padding.
 unsafe impl Options for pdn_force_info {
-    const SIZES: &'static [usize] = &[248, 256];
+    const SIZES: &'static [usize] = &[248, 256, 264];
 }
 
 /// Prepares a struct for ::pdn_model_joint; use `PDN_INIT(pdn_joint_info, &info)`.
@@ -199,7 +205,10 @@ fn force_kind(force: &ForceDefinition) -> i32 {
         ForceDefinition::Bushing(_) => PDN_FORCE_IS_BUSHING,
         ForceDefinition::NodeForces { .. } => PDN_FORCE_IS_USER_FORCE,
         ForceDefinition::Controller(_) => PDN_FORCE_IS_CONTROLLER,
-        ForceDefinition::SurfaceForces { .. } => PDN_FORCE_IS_SURFACE_FORCE,
+        ForceDefinition::SurfaceForces { place, .. } => match place {
+            ForcePlace::Line => PDN_FORCE_IS_LINE_FORCE,
+            _ => PDN_FORCE_IS_SURFACE_FORCE,
+        },
     }
 }
 
@@ -238,11 +247,17 @@ pub unsafe extern "C" fn pdn_model_force(
             rest: force.rest(),
             shell_element: -1,
             shell_place: -1,
+            beam_element: -1,
             ..pdn_force_info::defaults()
         };
         if let ForceDefinition::SurfaceForces { element, place, .. } = force {
-            info.shell_element = Kind::ShellElement.id(*element);
-            info.shell_place = place_code(*place);
+            match place.on_shell() {
+                Some(place) => {
+                    info.shell_element = Kind::ShellElement.id(*element);
+                    info.shell_place = place_code(place);
+                }
+                None => info.beam_element = Kind::BeamElement.id(*element),
+            }
         }
         if let Some(ends) = force.ends() {
             let [first, second] = frames_of(&model, ends);

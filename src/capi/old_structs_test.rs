@@ -91,7 +91,7 @@ fn structs_of_old_programs_are_read_and_written_as_far_as_they_go() {
         pdn_diagnostics: [112, 136, 160, 208];
         pdn_equations_options: [80];
         pdn_equations_sizes: [72];
-        pdn_force_info: [248, 256];
+        pdn_force_info: [248, 256, 264];
         pdn_joint_info: [224];
         pdn_line: [128];
         pdn_march_diagnostics: [88];

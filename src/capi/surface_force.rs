@@ -1,4 +1,4 @@
-//! Forces on shells that a function of the caller computes.
+//! Forces on shells and along beams that a function of the caller computes.
 
 use super::callback::Callback;
 use super::guard::guard;
@@ -8,13 +8,16 @@ use super::model::pdn_model;
 use super::shell::load_place;
 use super::status::pdn_status;
 use super::user_force::{gives_tangents, pdn_destroy_fn};
-use crate::elements::{LoadFrame, SurfaceForceInput, SurfaceForceLaw, SurfaceForceOutput};
+use crate::elements::{
+    ForcePlace, LoadFrame, SurfaceForceInput, SurfaceForceLaw, SurfaceForceOutput,
+};
 use crate::error::{Error, Result};
+use crate::model::Model;
 use libc::c_void;
 use std::sync::Arc;
 
-/// What a user's forces on a shell element may depend on: the points of a quadrature over its
-/// surface or an edge. The library makes it; a later one may add fields at its end.
+/// What a user's forces on a shell or beam element may depend on: the points of a quadrature over
+/// its surface, an edge or its line. The library makes it; a later one may add fields at its end.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct pdn_surface_state {
@@ -23,22 +26,23 @@ pub struct pdn_surface_state {
     /// Time, in [0, T) of the period T of the solve, but for the first calls of a solve
     /// (::pdn_surface_force_fn).
     pub time: f64,
-    /// Id of the shell element.
+    /// Id of the shell element, or of the beam element.
     pub element: i32,
     /// Zero.
     pub reserved: i32,
     /// Number of points.
     pub point_count: usize,
-    /// Array of shape 2 x [point_count]: xi and eta of each, from -1 to 1.
+    /// Array of shape 2 x [point_count]: xi and eta of each, from -1 to 1; eta is 0 on beams.
     pub places: *const f64,
-    /// Array of length [point_count]: the reference area, or length of an edge, that each stands
-    /// for: a force is this much of what the function gives.
+    /// Array of length [point_count]: the reference area, or length of an edge or beam, that each
+    /// stands for: a force is this much of what the function gives.
     pub sizes: *const f64,
     /// Array of shape 3 x [point_count]: positions, global coordinates [length].
     pub positions: *const f64,
     /// Array of shape 9 x [point_count]: rotation matrices, column by column; the columns are the
     /// axes of the point in global coordinates, those of a follower load: on the surface axes 1, 2
-    /// and the normal, on an edge 1 along it, 3 along the normal, and 2 = 3 * 1.
+    /// and the normal, on an edge 1 along it, 3 along the normal, and 2 = 3 * 1; along a beam those
+    /// of its section.
     pub rotations: *const f64,
     /// Array of shape 6 x [point_count]: velocity and angular velocity of each point relative to
     /// the inertial frame, also in a steady rotation (::pdn_solve_static), along the global axes
@@ -46,8 +50,8 @@ pub struct pdn_surface_state {
     pub velocities: *const f64,
 }
 
-/// Where a user's forces on a shell element go. The library makes it, with all arrays set to zero;
-/// a later one may add fields.
+/// Where a user's forces on a shell or beam element go. The library makes it, with all arrays set
+/// to zero; a later one may add fields.
 ///
 /// Everything is along the same axes as the velocities, for each unit of reference area or length.
 /// Rows and columns of the tangents are those of ::pdn_force_values, of one point.
@@ -69,8 +73,8 @@ pub struct pdn_surface_values {
 const _: () =
     assert!(size_of::<pdn_surface_state>() == 72 && size_of::<pdn_surface_values>() == 32);
 
-/// Forces on shells, to be computed by the caller, such as of a fluid: for all points of one
-/// element at once, each by the motion of this point alone.
+/// Forces on shells or along beams, to be computed by the caller, such as of a fluid: for all
+/// points of one element at once, each by the motion of this point alone.
 ///
 /// Called on the thread that solves; if two threads solve at once, on both at once. The same state
 /// must give the same forces, and over time they must repeat with the period: solves call it first
@@ -80,7 +84,7 @@ const _: () =
 ///
 /// @param state  time and motions of the points; valid during the call only
 /// @param values  where the forces go, all zero at first; valid during the call only
-/// @param user_data  as given to ::pdn_model_add_surface_force
+/// @param user_data  as given to ::pdn_model_add_surface_force or ::pdn_model_add_line_force
 /// @return 0 for success; anything else makes the solve fail with PDN_ERR_CALLBACK (see
 ///     ::pdn_set_callback_error and ::pdn_last_callback_code), as does a value that is not finite
 pub type pdn_surface_force_fn = Option<
@@ -137,16 +141,85 @@ pub unsafe extern "C" fn pdn_model_add_surface_force(
     destroy: pdn_destroy_fn,
     first_force: *mut i32,
 ) -> pdn_status {
+    let on = |model: &Model| {
+        let first = Kind::ShellElement.index_in(model, first_element, "first_element")?;
+        Ok((first, load_place(place)?.into()))
+    };
+    let law = (function, [frame, tangents], user_data, destroy);
+    add(model, (on, elements), law, first_force)
+}
+
+/// Adds forces along beam elements that a function of the caller computes at the points of a
+/// quadrature, such as those of the air on a blade: a force, with an id of its own, for each
+/// element.
+///
+/// They act on the line of the beam, for each unit of its reference length, and move with the
+/// sections, as loads do (::pdn_model_add_distributed_load): at as many points of Gauss as the
+/// element has nodes. These are more while the error of the mesh is estimated, with elements of a
+/// higher degree under the same ids. ::pdn_model_bind_surface_force gives a model from a file the
+/// function again.
+///
+/// @param model  the model; not NULL
+/// @param first_element  id of the first beam element, such as the first_element of a ::pdn_beam
+/// @param elements  number of elements, from the first on, such as the elements of a ::pdn_beam; at
+///     least 1
+/// @param frame  PDN_FRAME_SPACE: velocities, forces and tangents are along the global axes;
+///     PDN_FRAME_MATERIAL: along those of the section at each point, twisted as they are
+/// @param tangents  PDN_TANGENTS_GIVEN if the function writes tangents, which
+///     ::pdn_model_check_tangents checks; PDN_TANGENTS_DIFFERENCED if the library is to find them
+///     by differences, at the price of 24 calls an element
+/// @param function  the forces, see ::pdn_surface_force_fn for when it is called; not NULL
+/// @param user_data  handed to the function; may be NULL
+/// @param destroy  called once with user_data when the model, its copies in solutions included, no
+///     longer needs it, on the thread that frees the last; may be NULL. It is not called if this
+///     call fails
+/// @param first_force  id of the force on the first element, which those on the others follow; may
+///     be NULL if it is not wanted; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_add_line_force(
+    model: *mut pdn_model,
+    first_element: i32,
+    elements: i32,
+    frame: i32,
+    tangents: i32,
+    function: pdn_surface_force_fn,
+    user_data: *mut c_void,
+    destroy: pdn_destroy_fn,
+    first_force: *mut i32,
+) -> pdn_status {
+    let on = |model: &Model| {
+        let first = Kind::BeamElement.index_in(model, first_element, "first_element")?;
+        Ok((first, ForcePlace::Line))
+    };
+    let law = (function, [frame, tangents], user_data, destroy);
+    add(model, (on, elements), law, first_force)
+}
+
+/// Adds a force to each of so many elements, from the first on.
+fn add(
+    model: *mut pdn_model,
+    (on, elements): (impl FnOnce(&Model) -> Result<(usize, ForcePlace)>, i32),
+    (function, [frame, tangents], user_data, destroy): (
+        pdn_surface_force_fn,
+        [i32; 2],
+        *mut c_void,
+        pdn_destroy_fn,
+    ),
+    first_force: *mut i32,
+) -> pdn_status {
     guard(|call| {
         let mut model = call.exclusive(model, "model")?;
-        let first = Kind::ShellElement.index_in(&model, first_element, "first_element")?;
+        let (first, place) = on(&model)?;
         let elements = usize::try_from(elements)
             .map_err(|_| Error::size("elements", "at least 1", elements))?;
-        let place = load_place(place)?;
         let frame = load_frame(frame)?;
         let gives_tangents = gives_tangents(tangents)?;
         // All that could be refused comes before `user_data` is taken over.
-        model.require_shell_place((first, elements), place)?;
+        model.require_force_place((first, elements), place)?;
         let function = call.function(function, "function")?;
         let out = call.out_optional(first_force, "first_force")?;
         let id = Kind::Force.next(&model, elements, "force")?;
@@ -159,7 +232,7 @@ pub unsafe extern "C" fn pdn_model_add_surface_force(
     })
 }
 
-/// Forces on a shell that are the caller's function.
+/// Forces on an element that are the caller's function.
 pub(super) fn surface_force_law(
     function: SurfaceFunction,
     (gives_tangents, frame): (bool, LoadFrame),
@@ -179,10 +252,14 @@ fn call_back(
     input: &SurfaceForceInput,
     output: &mut SurfaceForceOutput,
 ) -> Result<()> {
+    let kind = match input.place {
+        ForcePlace::Line => Kind::BeamElement,
+        _ => Kind::ShellElement,
+    };
     let state = pdn_surface_state {
         struct_size: size_of::<pdn_surface_state>(),
         time: input.time,
-        element: Kind::ShellElement.id(input.element),
+        element: kind.id(input.element),
         reserved: 0,
         point_count: input.positions.len(),
         places: input.places.as_ptr().cast(),

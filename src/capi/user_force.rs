@@ -409,7 +409,7 @@ pub unsafe extern "C" fn pdn_tangent_check_init(check: *mut pdn_tangent_check, s
 ///
 /// @param model  the model; not NULL
 /// @param force  id of a force by ::pdn_model_add_coordinate_law, ::pdn_model_add_user_force,
-///     ::pdn_model_add_controller or ::pdn_model_add_surface_force
+///     ::pdn_model_add_controller, ::pdn_model_add_surface_force or ::pdn_model_add_line_force
 /// @param period  the period that the model is to be solved for, positive [time]
 /// @param check  initialised by PDN_INIT; filled on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,

@@ -103,7 +103,7 @@ impl Block {
     }
 }
 
-/// Points of a shell at which loads act, as of a quadrature.
+/// Points of a shell or beam at which loads act, as of a quadrature.
 #[derive(Debug, Clone)]
 pub(super) struct LoadPoints {
     /// The nodes that move them, and the frames that these carry and that are interpolated.
@@ -114,8 +114,54 @@ pub(super) struct LoadPoints {
     pub axes: Vec<Matrix3<f64>>,
     /// Reference areas or lengths that they stand for.
     pub sizes: Vec<f64>,
-    /// Places `(ξ, η)`.
+    /// Places `(ξ, η)`; of a beam `(ξ, 0)`.
     pub places: Vec<[f64; 2]>,
+}
+
+impl LoadPoints {
+    /// Those along the line of a beam; followers have the axes of the sections.
+    ///
+    /// # Errors
+    /// As [`DistributedLoad::new`].
+    pub fn along(beam: &Beam) -> Result<Self> {
+        let load = DistributedLoad::new(beam)?;
+        let points = gauss_legendre(load.nodes.len()).into_iter();
+        Ok(LoadPoints {
+            frames: vec![Motion::identity(); load.nodes.len()],
+            axes: load.axes(beam, BeamLoadFrame::Follower)?,
+            sizes: lengths(beam, &[(-1.0, 1.0), (1.0, 1.0)])?,
+            places: points.map(|(xi, _)| [xi, 0.0]).collect(),
+            nodes: load.nodes,
+            stations: load.stations,
+        })
+    }
+}
+
+/// Integrals over the reference length of a beam of a factor, linear between places `(ξ, factor)`
+/// that ascend, times the Lagrange polynomial of each Gauss point, as many as there are nodes.
+fn lengths(beam: &Beam, places: &[(f64, f64)]) -> Result<Vec<f64>> {
+    let count = beam.nodes().len();
+    let rule = gauss_legendre(count + 1);
+    let points: Vec<f64> = gauss_legendre(count).iter().map(|point| point.0).collect();
+    let mut lengths = vec![0.0; count];
+    for pair in places.windows(2) {
+        let ((start, first), (end, second)) = (pair[0], pair[1]);
+        let half = 0.5 * (end - start);
+        if half <= 0.0 || (first == 0.0 && second == 0.0) {
+            continue;
+        }
+        for (point, weight) in &rule {
+            let t = 0.5 * (point + 1.0);
+            let xi = start + half * (point + 1.0);
+            let factor = first + t * (second - first);
+            let length = beam.stretch_at(xi)? * weight * half * factor;
+            let shapes = shape_functions(&points, xi);
+            for (sum, shape) in lengths.iter_mut().zip(shapes) {
+                *sum += shape.0 * length;
+            }
+        }
+    }
+    Ok(lengths)
 }
 
 /// Scratch for what loads along an element find.
@@ -168,29 +214,7 @@ impl DistributedLoad {
         signals: [Option<usize>; 6],
         places: &[(f64, f64)],
     ) -> Result<()> {
-        let rule = gauss_legendre(self.nodes.len() + 1);
-        let points: Vec<f64> = gauss_legendre(self.nodes.len())
-            .iter()
-            .map(|point| point.0)
-            .collect();
-        let mut lengths = vec![0.0; points.len()];
-        for pair in places.windows(2) {
-            let ((start, first), (end, second)) = (pair[0], pair[1]);
-            let half = 0.5 * (end - start);
-            if half <= 0.0 || (first == 0.0 && second == 0.0) {
-                continue;
-            }
-            for (point, weight) in &rule {
-                let t = 0.5 * (point + 1.0);
-                let xi = start + half * (point + 1.0);
-                let factor = first + t * (second - first);
-                let length = beam.stretch_at(xi)? * weight * half * factor;
-                let shapes = shape_functions(&points, xi);
-                for (sum, shape) in lengths.iter_mut().zip(shapes) {
-                    *sum += shape.0 * length;
-                }
-            }
-        }
+        let lengths = lengths(beam, places)?;
         if lengths.iter().all(|&length| length == 0.0) {
             return Ok(());
         }

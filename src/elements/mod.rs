@@ -26,6 +26,7 @@ mod shell;
 #[cfg(test)]
 mod shell_test;
 mod surface_force;
+mod surface_force_law;
 #[cfg(test)]
 mod surface_force_test;
 #[cfg(test)]
@@ -61,9 +62,9 @@ pub use shell::{
     IsotropicShell, Matrix12, NodeGrid, Shell, ShellFrames, ShellLoadPlace, ShellPoint,
     ShellSection, ShellSide, Vector12, element_frames, surface_stress,
 };
-pub use surface_force::{
-    PointTangents, SurfaceForce, SurfaceForceFunction, SurfaceForceInput, SurfaceForceLaw,
-    SurfaceForceOutput,
+pub use surface_force::{PointTangents, SurfaceForce};
+pub use surface_force_law::{
+    ForcePlace, SurfaceForceFunction, SurfaceForceInput, SurfaceForceLaw, SurfaceForceOutput,
 };
 pub use user_force::{
     NodeForceFunction, NodeForceInput, NodeForceLaw, NodeForceOutput, Tangent, TangentPairs,

@@ -1,81 +1,25 @@
-//! Forces on the surface or an edge of a shell that a function of the user computes, point by
-//! point. See docs/theory.md, section 6.12.
+//! Forces on the surface or an edge of a shell, or along a beam, that a function of the user
+//! computes, point by point. See docs/theory.md, section 6.12.
 
+use super::beam::Beam;
 use super::coordinate_force::difference_step;
 use super::distributed_load::{self, LoadPoints, PointTerms};
 use super::load::LoadFrame;
 use super::shell::{Shell, ShellLoadPlace};
+use super::surface_force_law::{
+    ForcePlace, SurfaceForceInput, SurfaceForceLaw, SurfaceForceOutput,
+};
 use super::user_force::{COMPONENTS, moved, not_finite, skews};
 use super::{Contribution, Element, Instant, NodeState};
 use crate::error::Result;
 use crate::motion::{DualMatrix, DualPolar, DualVector, Motion, turn_of_both, turned};
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
-use std::fmt;
-use std::sync::Arc;
 
-/// What a [`SurfaceForceFunction`] may depend on: time, and the motions of points of one shell
-/// element.
-#[derive(Debug, Clone, Copy)]
-pub struct SurfaceForceInput<'a> {
-    /// Time.
-    pub time: f64,
-    /// Number of the shell element.
-    pub element: usize,
-    /// Places `(ξ, η)` of the points.
-    pub places: &'a [[f64; 2]],
-    /// Reference areas, or lengths of an edge, that the points stand for: weights of a quadrature.
-    pub sizes: &'a [f64],
-    /// Positions, in the inertial frame.
-    pub positions: &'a [Vector3<f64>],
-    /// Rotation matrices, whose columns are the axes of the section, the normal last, or of the
-    /// edge.
-    pub rotations: &'a [Matrix3<f64>],
-    /// `[velocity; angular velocity]` relative to the inertial frame, along its or these axes. In a
-    /// frame that turns steadily, positions, rotations and these are along its axes.
-    pub velocities: &'a [Vector6<f64>],
-}
-
-/// Where a [`SurfaceForceFunction`] writes; everything is zero at first.
-///
-/// All is resolved in the same axes as the velocities, for a unit of reference area or length.
-/// Increments are `[displacement; turn]` of a point; derivatives by motion are at fixed components
-/// of the velocity.
-#[derive(Debug)]
-pub struct SurfaceForceOutput<'a> {
-    /// `[force; moment]` at each point, by what happens at this point alone.
-    pub forces: &'a mut [Vector6<f64>],
-    /// `∂force/∂increment` and `∂force/∂velocity` of each point, if wanted.
-    pub tangents: Option<[&'a mut [Matrix6<f64>]; 2]>,
-}
-
-/// A user's function for the forces at points of a shell.
-pub type SurfaceForceFunction =
-    Arc<dyn Fn(&SurfaceForceInput, &mut SurfaceForceOutput) -> Result<()> + Send + Sync>;
-
-/// A user's forces on shells, as the model keeps them.
-#[derive(Clone)]
-pub struct SurfaceForceLaw {
-    /// The function.
-    pub function: SurfaceForceFunction,
-    /// Whether it gives tangents; otherwise they are differenced.
-    pub gives_tangents: bool,
-    /// Axes of velocities, forces and tangents: inertial, or of the points.
-    pub frame: LoadFrame,
-}
-
-impl fmt::Debug for SurfaceForceLaw {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("SurfaceForceLaw")
-            .field("gives_tangents", &self.gives_tangents)
-            .field("frame", &self.frame)
-            .finish_non_exhaustive()
-    }
-}
-
-/// Forces of a user on one shell element.
+/// Forces of a user on one shell or beam element.
 #[derive(Debug, Clone)]
 pub struct SurfaceForce {
     element: usize,
+    place: ForcePlace,
     points: LoadPoints,
     /// Take twists of nodes to those of the frames that the element interpolates.
     adjoints: Vec<Matrix6<f64>>,
@@ -160,22 +104,45 @@ impl SurfaceForce {
     ///
     /// # Errors
     /// If there is no such edge, or the reference shape is too distorted.
-    pub fn new(
+    pub fn on_shell(
         (element, shell): (usize, &Shell),
         place: ShellLoadPlace,
         law: SurfaceForceLaw,
-        [length, frequency]: [f64; 2],
+        sizes: [f64; 2],
     ) -> Result<Self> {
         let points = shell.load_points(place)?;
+        Ok(Self::at((element, place.into()), points, law, sizes))
+    }
+
+    /// Along the line of a beam, likewise.
+    ///
+    /// # Errors
+    /// If the beam cannot be evaluated at the points.
+    pub fn along_beam(
+        (element, beam): (usize, &Beam),
+        law: SurfaceForceLaw,
+        sizes: [f64; 2],
+    ) -> Result<Self> {
+        let points = LoadPoints::along(beam)?;
+        Ok(Self::at((element, ForcePlace::Line), points, law, sizes))
+    }
+
+    fn at(
+        (element, place): (usize, ForcePlace),
+        points: LoadPoints,
+        law: SurfaceForceLaw,
+        [length, frequency]: [f64; 2],
+    ) -> Self {
         let adjoint = |frame: &Motion| frame.inverse().adjoint();
-        Ok(SurfaceForce {
+        SurfaceForce {
             element,
+            place,
             adjoints: points.frames.iter().map(adjoint).collect(),
             points,
             law,
             length,
             frequency,
-        })
+        }
     }
 
     /// Finds the motions and velocities of the points, and those that the function is told.
@@ -263,6 +230,7 @@ impl SurfaceForce {
         let input = SurfaceForceInput {
             time,
             element: self.element,
+            place: self.place,
             places: &self.points.places,
             sizes: &self.points.sizes,
             positions,
@@ -276,7 +244,7 @@ impl SurfaceForce {
         (self.law.function)(&input, &mut output)?;
         for (k, force) in output.forces.iter().enumerate() {
             if let Some(i) = force.iter().position(|x| !x.is_finite()) {
-                let what = format!("{} {}", COMPONENTS[i], self.at(k));
+                let what = format!("{} {}", COMPONENTS[i], self.name(k));
                 return Err(not_finite(&what, time, force[i]));
             }
         }
@@ -287,7 +255,7 @@ impl SurfaceForce {
                         let what = format!(
                             "derivative of {} {} by component {} of its {kind}",
                             COMPONENTS[at % 6],
-                            self.at(k),
+                            self.name(k),
                             at / 6 + 1,
                         );
                         return Err(not_finite(&what, time, tangent[at]));
@@ -299,9 +267,12 @@ impl SurfaceForce {
     }
 
     /// Where a point is, for messages.
-    fn at(&self, point: usize) -> String {
+    fn name(&self, point: usize) -> String {
         let [xi, eta] = self.points.places[point];
-        format!("on shell element {} at ({xi}, {eta})", self.element)
+        match self.place {
+            ForcePlace::Line => format!("on beam element {} at {xi}", self.element),
+            _ => format!("on shell element {} at ({xi}, {eta})", self.element),
+        }
     }
 
     /// Writes differences of the forces, of second order, to `scratch.stiffness` and

@@ -1,4 +1,4 @@
-//! A user's forces on shells, for the test of tangents.
+//! A user's forces on shells and beams, for the test of tangents.
 
 use super::{LoadFrame, SurfaceForceInput, SurfaceForceLaw, SurfaceForceOutput};
 use crate::error::Result;

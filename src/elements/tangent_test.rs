@@ -159,7 +159,7 @@ fn shell_cases(
             }
             for (name, law) in surface_force_test::laws().into_iter().filter(|_| damped) {
                 for place in [ShellLoadPlace::Surface, ShellLoadPlace::Edge(1)] {
-                    let new = SurfaceForce::new((0, &shell), place, law.clone(), [1.0; 2]);
+                    let new = SurfaceForce::on_shell((0, &shell), place, law.clone(), [1.0; 2]);
                     let element = new.unwrap();
                     let of_place = element.nodes().iter().map(|&node| states[node]).collect();
                     cases.push(Case {
@@ -311,6 +311,15 @@ fn cases() -> Vec<Case> {
             cases.push(Case {
                 name: format!("distributed load {frame:?}, {count} nodes"),
                 element: Box::new(load),
+                states: states.clone(),
+                coordinates: vec![],
+            });
+        }
+        for (name, law) in surface_force_test::laws() {
+            let force = SurfaceForce::along_beam((0, &beam), law, [1.0; 2]);
+            cases.push(Case {
+                name: format!("user's forces along a beam, {count} nodes, {name}"),
+                element: Box::new(force.unwrap()),
                 states: states.clone(),
                 coordinates: vec![],
             });

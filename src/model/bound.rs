@@ -24,10 +24,10 @@ impl Model {
         Ok(())
     }
 
-    /// Gives forces on a shell element their function, likewise.
+    /// Gives forces on a shell or beam element their function, likewise.
     ///
     /// # Errors
-    /// If there is no such force, or it is none of a function on a shell.
+    /// If there is no such force, or it is none of a function on a shell or beam.
     pub fn bind_surface_forces(&mut self, force: usize, law: SurfaceForceLaw) -> Result<()> {
         *self.surface_forces_mut(force)? = UserFunction::new(law);
         Ok(())
@@ -70,18 +70,22 @@ impl Model {
         })
     }
 
-    /// The function of forces on a shell element, likewise.
+    /// The function of forces on a shell or beam element, likewise.
     ///
     /// # Errors
-    /// If there is no such force, or it is none of a function on a shell.
+    /// If there is no such force, or it is none of a function on a shell or beam.
     pub(crate) fn surface_forces_mut(
         &mut self,
         force: usize,
     ) -> Result<&mut UserFunction<SurfaceForceLaw>> {
-        self.function_mut(force, "function's force on a shell", |force| match force {
-            ForceDefinition::SurfaceForces { law, .. } => Some(law),
-            _ => None,
-        })
+        self.function_mut(
+            force,
+            "function's force on a shell or beam",
+            |force| match force {
+                ForceDefinition::SurfaceForces { law, .. } => Some(law),
+                _ => None,
+            },
+        )
     }
 
     /// The function of a controller, likewise.

@@ -4,7 +4,6 @@ use super::validation::{require_motion, require_positive, require_two_bodies};
 use super::{BushingDefinition, ForceDefinition, JointCoordinate, Model, Signal, UserFunction};
 use crate::elements::{
     Attachment, BushingAngles, CoordinateLaw, JointKind, MaxwellBranch, NodeForceLaw,
-    ShellLoadPlace, SurfaceForceLaw,
 };
 use crate::error::{Error, ErrorKind, Result, require_finite, require_id};
 use crate::motion::Motion;
@@ -80,7 +79,7 @@ impl Model {
             ForceDefinition::NodeForces { nodes, .. } => self.require_distinct_nodes(nodes)?,
             ForceDefinition::Controller(controller) => controller.require_valid(self)?,
             ForceDefinition::SurfaceForces { element, place, .. } => {
-                self.require_shell_place((*element, 1), *place)?;
+                self.require_force_place((*element, 1), *place)?;
             }
         }
         Ok(())
@@ -235,32 +234,6 @@ impl Model {
             law,
             cycles: 0,
         })
-    }
-
-    /// Adds forces that a user's function computes at points of the surface, or an edge, of shell
-    /// elements: a force for each of `elements` from `first_element` on. Returns the id of the
-    /// first; the others follow.
-    ///
-    /// # Errors
-    /// If the elements or the edge do not exist.
-    pub fn add_surface_forces(
-        &mut self,
-        first_element: usize,
-        elements: usize,
-        place: ShellLoadPlace,
-        law: SurfaceForceLaw,
-    ) -> Result<usize> {
-        self.require_shell_place((first_element, elements), place)?;
-        let first = self.forces.len();
-        for element in first_element..first_element + elements {
-            self.forces.push(ForceDefinition::SurfaceForces {
-                element,
-                place,
-                law: UserFunction::new(law.clone()),
-                cycles: 0,
-            });
-        }
-        Ok(first)
     }
 
     /// Declares the function of a force one of the phase `Ωt`, which it is then told, in radians,

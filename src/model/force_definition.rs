@@ -2,8 +2,8 @@
 
 use super::{BushingDefinition, JointCoordinate, Signal, UserFunction};
 use crate::elements::{
-    Attachment, ControllerLaw, ControllerState, CoordinateLaw, MaxwellBranch, NodeForceLaw,
-    ShellLoadPlace, SurfaceForceLaw,
+    Attachment, ControllerLaw, ControllerState, CoordinateLaw, ForcePlace, MaxwellBranch,
+    NodeForceLaw, SurfaceForceLaw,
 };
 use nalgebra::Matrix6;
 use serde::{Deserialize, Serialize};
@@ -74,12 +74,12 @@ pub enum ForceDefinition {
     },
     /// A law of the user that reads joint coordinates, has states, and acts on joint coordinates.
     Controller(Box<ControllerDefinition>),
-    /// A user's forces on a shell element.
+    /// A user's forces on a shell or beam element.
     SurfaceForces {
-        /// The element.
+        /// The element, of beams if it acts on the line of one.
         element: usize,
         /// Where on it.
-        place: ShellLoadPlace,
+        place: ForcePlace,
         /// The law.
         law: UserFunction<SurfaceForceLaw>,
         /// Cycles of the phase that it is told in a period; 0 if it is told the time.

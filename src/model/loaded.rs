@@ -24,7 +24,9 @@ impl Model {
         let is_newer = |force: &ForceDefinition| {
             matches!(
                 force,
-                ForceDefinition::Bushing(_) | ForceDefinition::Controller(_)
+                ForceDefinition::Bushing(_)
+                    | ForceDefinition::Controller(_)
+                    | ForceDefinition::SurfaceForces { .. }
             )
         };
         !self.relations.is_empty()

@@ -31,6 +31,7 @@ mod shell_quadrilaterals;
 mod signal;
 mod stations;
 mod surface;
+mod surface_force;
 mod target;
 mod turning_frame;
 mod user_function;

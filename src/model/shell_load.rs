@@ -2,7 +2,7 @@
 
 use super::validation::require_elements;
 use super::{Model, Signal};
-use crate::elements::{LoadFrame, ShellLoadPlace, SurfaceForce, SurfaceForceLaw};
+use crate::elements::{LoadFrame, ShellLoadPlace};
 use crate::error::{Error, Result};
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
@@ -55,17 +55,5 @@ impl Model {
             return Err(Error::value("edge", "0 to 3", edge));
         }
         Ok(())
-    }
-
-    /// The element of a user's forces on a shell; motions are of the order of a length, at a
-    /// circular frequency.
-    pub(crate) fn surface_force(
-        &self,
-        (element, place): (usize, ShellLoadPlace),
-        law: &SurfaceForceLaw,
-        sizes: [f64; 2],
-    ) -> Result<SurfaceForce> {
-        let shell = self.shell_of(&self.shells[element])?;
-        SurfaceForce::new((element, &shell), place, law.clone(), sizes)
     }
 }

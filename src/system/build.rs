@@ -5,7 +5,7 @@ use super::scales::coordinate_scales;
 use super::{ElementRole, Placed, PlacedRelation, Regime, Scales, Symmetry, System};
 use crate::elements::{
     ActedCoordinate, CoordinateForce, Element, JointKind, Law, MassDamping, NodalLoad, Prescribed,
-    Relation, SurfaceForce, UserForce, Viscoelastic, ViscousDamper,
+    Relation, UserForce, Viscoelastic, ViscousDamper,
 };
 use crate::error::{Error, ErrorKind, Result, require_positive_number};
 use crate::model::{
@@ -390,10 +390,9 @@ impl<'a> Builder<'a> {
                 law,
                 cycles,
             } => {
-                let law = self.surface_law(law, *cycles).map_err(within)?;
-                let shell = (*element, &*self.system.shells[*element]);
-                let sizes = [length, frequency];
-                Arc::new(SurfaceForce::new(shell, *place, law, sizes).map_err(within)?)
+                let on = (*element, *place);
+                let made = self.surface_force(on, (law, *cycles), length);
+                Arc::new(made.map_err(within)?)
             }
         })
     }

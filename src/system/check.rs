@@ -3,8 +3,8 @@
 use super::System;
 use super::scales::coordinate_scales;
 use crate::elements::{
-    ControllerCall, CoordinateLaw, CoordinateState, Element, NodeForceLaw, NodeState,
-    ShellLoadPlace, SurfaceForceLaw, Tangent, UserForce,
+    ControllerCall, CoordinateLaw, CoordinateState, Element, ForcePlace, NodeForceLaw, NodeState,
+    SurfaceForceLaw, Tangent, UserForce,
 };
 use crate::error::{Error, ErrorKind, Result};
 use crate::model::{ControllerDefinition, ForceDefinition, JointCoordinate, Model};
@@ -294,7 +294,7 @@ impl Check<'_> {
 
     fn surface_forces(
         &mut self,
-        (element, place): (usize, ShellLoadPlace),
+        (element, place): (usize, ForcePlace),
         law: &SurfaceForceLaw,
     ) -> Result<()> {
         if !law.gives_tangents {

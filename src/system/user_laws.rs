@@ -3,8 +3,8 @@
 use super::build::Builder;
 use super::scales::coordinate_scales;
 use crate::elements::{
-    Controller, ControllerInput, ControllerLaw, CoordinateLaw, CoordinateState, Effort, LoadFrame,
-    NodeForceInput, NodeForceLaw, SurfaceForceInput, SurfaceForceLaw,
+    Controller, ControllerInput, ControllerLaw, CoordinateLaw, CoordinateState, Effort, ForcePlace,
+    LoadFrame, NodeForceInput, NodeForceLaw, SurfaceForce, SurfaceForceInput, SurfaceForceLaw,
 };
 use crate::error::{Error, Result};
 use crate::model::{ControllerDefinition, UserFunction};
@@ -64,8 +64,8 @@ impl Builder<'_> {
         Ok(law)
     }
 
-    /// A user's law on a shell, that is told the time.
-    pub(super) fn surface_law(
+    /// A user's law on a shell or beam, that is told the time.
+    fn surface_law(
         &mut self,
         law: &UserFunction<SurfaceForceLaw>,
         cycles: usize,
@@ -84,6 +84,28 @@ impl Builder<'_> {
             });
         }
         Ok(law)
+    }
+
+    /// A user's forces on an element, whose function is told the time. Motions are of the order of
+    /// `length`.
+    pub(super) fn surface_force(
+        &mut self,
+        (element, place): (usize, ForcePlace),
+        (law, cycles): (&UserFunction<SurfaceForceLaw>, usize),
+        length: f64,
+    ) -> Result<SurfaceForce> {
+        let law = self.surface_law(law, cycles)?;
+        let sizes = [length, TAU / self.system.period()];
+        match place.on_shell() {
+            Some(place) => {
+                let shell = &*self.system.shells[element];
+                SurfaceForce::on_shell((element, shell), place, law, sizes)
+            }
+            None => {
+                let beam = &*self.system.beams[element];
+                SurfaceForce::along_beam((element, beam), law, sizes)
+            }
+        }
     }
 
     /// Phase in a unit of time, for functions of it.

@@ -1,4 +1,5 @@
-/* Beams along lines, with sections and twist that vary; loads along beams; gravity in time. */
+/* Beams along lines, with sections and twist that vary; loads and forces along beams; gravity in
+ * time. */
 #include "check.h"
 #include <math.h>
 #include <stddef.h>
@@ -268,6 +269,92 @@ static void loads_along_a_beam_add_up(void)
     }
 }
 
+/* What the function below is told, and whether its data was disposed of. */
+struct wind {
+    double length, off;
+    int32_t elements[3], calls, destroyed;
+};
+
+/* A lift of 7 along axis 3 of the sections less drag, and a moment about their axis 1 that grows
+ * along the beam. */
+static int32_t blow(const pdn_surface_state *state, pdn_surface_values *values, void *user_data)
+{
+    struct wind *wind = user_data;
+    const int32_t element = state->element - PDN_FIRST_BEAM_ELEMENT;
+    size_t k;
+    wind->calls++;
+    wind->length = wind->off = 0;
+    CHECK(state->struct_size == sizeof *state && values->struct_size == sizeof *values);
+    CHECK(element >= 1 && element < 3 && state->reserved == 0 && state->point_count >= 4);
+    wind->elements[element]++;
+    for (k = 0; k < state->point_count; k++) {
+        const double fraction = 0.5 * (state->places[2 * k] + 1);
+        CHECK(fraction > 0 && fraction < 1 && state->places[2 * k + 1] == 0);
+        wind->off += fabs(state->positions[3 * k] - (element + fraction) * 2 / 3);
+        wind->off += fabs(state->rotations[9 * k] - 1);
+        wind->length += state->sizes[k];
+        values->forces[6 * k + 2] = 7 - 0.2 * state->velocities[6 * k + 2];
+        values->forces[6 * k + 3] = 4 * (element + fraction);
+        if (values->by_velocity)
+            values->by_velocity[36 * k + 14] = -0.2;
+    }
+    return 0;
+}
+
+static void dispose(void *user_data)
+{
+    ((struct wind *)user_data)->destroyed++;
+}
+
+/* The reaction tells the integrals of what a function gives along the last two thirds; also in a
+ * model from a file, to which the function comes back by its label. */
+static void a_function_along_a_beam_adds_up(void)
+{
+    struct wind wind = {0, 0, {0, 0, 0}, 0, 0};
+    pdn_beam beam;
+    pdn_force_info info;
+    pdn_solution *solution;
+    double held[6];
+    int32_t joint, force, found;
+    pdn_model *model = cantilever(&beam, &joint);
+    CHECK_STATUS(pdn_model_add_line_force(model, beam.first_element + 1, 2, PDN_FRAME_MATERIAL,
+                                          PDN_TANGENTS_GIVEN, blow, &wind, dispose, &force),
+                 PDN_OK);
+    CHECK(force == FORCE(0));
+    PDN_INIT(pdn_force_info, &info);
+    CHECK_STATUS(pdn_model_force(model, force + 1, &info), PDN_OK);
+    CHECK(info.kind == PDN_FORCE_IS_LINE_FORCE && info.beam_element == BEAM_ELEMENT(2));
+    CHECK(info.shell_element == -1 && info.shell_place == -1 && info.node_count == 0);
+    CHECK_STATUS(pdn_model_set_label(model, PDN_OBJECT_FORCE, force, "wind"), PDN_OK);
+    CHECK_STATUS(pdn_model_save(model, "line_forces.pdm"), PDN_OK);
+    pdn_model_free(model);
+    CHECK(wind.calls == 0 && wind.destroyed == 1);
+
+    CHECK_STATUS(pdn_model_load("line_forces.pdm", &model), PDN_OK);
+    remove("line_forces.pdm");
+    CHECK_STATUS(pdn_solve_static(model, NULL, &solution), PDN_ERR_CALLBACK);
+    CHECK_STATUS(pdn_model_find_label(model, PDN_OBJECT_FORCE, "wind", &found), PDN_OK);
+    CHECK(found == force);
+    CHECK_STATUS(pdn_model_bind_surface_force(model, found, 2, PDN_FRAME_MATERIAL,
+                                              PDN_TANGENTS_DIFFERENCED, blow, &wind, dispose),
+                 PDN_OK);
+    solution = solve(model, 1);
+    reaction(solution, joint, 0, held);
+    NEAR(fabs(held[2]), 7 * 4.0 / 3, 1e-6);
+    NEAR(fabs(held[4]), 7 * 4.0 / 3 * 4.0 / 3, 1e-5);
+    /* 4 x from 1 to 3 thirds. */
+    NEAR(fabs(held[3]), 4 * 4.0 * 2 / 3, 1e-6);
+    NEAR(held[1], 0, 1e-5);
+    CHECK(wind.elements[0] == 0 && wind.elements[1] == wind.elements[2] && wind.elements[1] > 0);
+    NEAR(wind.length, 2.0 / 3, 1e-14);
+    /* It hardly bends. */
+    NEAR(wind.off, 0, 1e-4);
+    pdn_model_free(model);
+    CHECK(wind.destroyed == 1);
+    pdn_solution_free(solution);
+    CHECK(wind.destroyed == 2);
+}
+
 /* The reaction of a twisted cantilever shows how the untwisted axes direct a load. */
 static void a_load_at_places_in_untwisted_axes(void)
 {
@@ -387,6 +474,7 @@ int main(void)
     sections_and_twist_vary();
     a_bend_as_an_arc_and_as_a_curve();
     loads_along_a_beam_add_up();
+    a_function_along_a_beam_adds_up();
     a_load_at_places_in_untwisted_axes();
     gravity_may_vary();
     bodies_hang_at_a_distance();

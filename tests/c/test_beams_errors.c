@@ -1,5 +1,5 @@
-/* Every function of lines, stations, beams and loads along them refuses what it must: it says which
- * argument was wrong, writes nothing, and leaves the model as it was. */
+/* Every function of lines, stations, beams, and loads and forces along them refuses what it must:
+ * it says which argument was wrong, writes nothing, and leaves the model as it was. */
 #include "check.h"
 #include <math.h>
 #include <stddef.h>
@@ -405,6 +405,34 @@ static void loads(void)
 #undef CALL
 }
 
+static int32_t nothing(const pdn_surface_state *state, pdn_surface_values *values, void *user_data)
+{
+    (void)state, (void)values, (void)user_data;
+    return 0;
+}
+
+static void forces(void)
+{
+    static const int32_t bad_counts[] = {0, 3, INT32_MAX}, negative[] = {-1, INT32_MIN};
+    int32_t tangents = PDN_TANGENTS_DIFFERENCED;
+#define WITH(model, function)                                                                      \
+    pdn_model_add_line_force(model, in.first_element, in.loaded, in.frame, tangents, function,     \
+                             NULL, NULL, &out.id)
+#define CALL WITH(in.model, nothing)
+    REFUSES_NULL(WITH(NULL, nothing), "model");
+    REFUSED(WITH(in.model, NULL), PDN_ERR_NULL, "function: expected a ");
+    REFUSES_EACH(in.first_element, int32_t, bad_ids, CALL, PDN_ERR_ID,
+                 "first_element: expected a beam element id from 300000000 to 300000001, got ");
+    REFUSES_EACH(in.loaded, int32_t, bad_counts, CALL, PDN_ERR_SIZE,
+                 "elements: expected 1 to 2 from element 0 on, got ");
+    REFUSES_EACH(in.loaded, int32_t, negative, CALL, PDN_ERR_SIZE,
+                 "elements: expected at least 1, got ");
+    REFUSES_ENUMS(in.frame, CALL, "frame");
+    REFUSES_ENUMS(tangents, CALL, "tangents");
+#undef CALL
+#undef WITH
+}
+
 int main(void)
 {
     set_up();
@@ -414,6 +442,7 @@ int main(void)
     stations_and_meshes();
     elements_that_overlap();
     loads();
+    forces();
     /* The tables above were gone through. */
     CHECK(refusals >= 270);
     CHECK_STATUS(ADD, PDN_OK);

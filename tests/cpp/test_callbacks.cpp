@@ -141,6 +141,31 @@ static void laws_and_forces()
         CHECK(check.tangent == pdn::detail::in(pdn::Tangent::motion) ||
               check.tangent == pdn::detail::in(pdn::Tangent::velocity));
     }
+    // A lift along a beam by a function is the load.
+    const auto bent = [](bool by_function) {
+        pdn::Model model;
+        const auto beam = model.add_straight_beam({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, steel(), 2, 2);
+        model.add_rigid_joint(pdn::ground, beam.first, {0, 0, 0});
+        if (by_function) {
+            const auto force = model.add_line_force(
+                beam.first_element + 1, 1, Frame::material, pdn::Tangents::given,
+                [&beam](const pdn::SurfaceState &state, pdn::SurfaceValues &values) {
+                    CHECK(state.element == beam.first_element + 1 && state.point_count >= 3);
+                    for (std::size_t k = 0; k < state.point_count; ++k) {
+                        CHECK(std::abs(state.places(0, k)) < 1 && state.places(1, k) == 0);
+                        values.forces(2, k) = 1000;
+                    }
+                });
+            CHECK(model.check_tangents(force, period).error == 0);
+            CHECK(model.force(force).beam_element == beam.first_element + 1);
+        } else {
+            model.add_distributed_load(beam.first_element + 1, 1, Frame::material,
+                                       Component::force_3, 1000);
+        }
+        return pdn::solve_static(model).sample<3>({pdn::Kind::node_position, beam.last}, {0})[0][2];
+    };
+    CHECK(bent(false) > 1e-3);
+    NEAR(bent(true), bent(false), 1e-12);
 }
 
 // Closures live as long as a model or solution needs them, and no longer.

@@ -1,11 +1,12 @@
-//! Shells: of a grid or of quadrilaterals, with loads, prestress, rigid edges and surface forces.
+//! Shells: of a grid or of quadrilaterals, with loads, prestress, rigid edges and surface forces;
+//! forces along beams like these.
 
 use super::{Arrays, Session, check_status, given};
-use periodyn::capi::id::{PDN_FIRST_NODE, PDN_FIRST_SHELL_ELEMENT};
+use periodyn::capi::id::{PDN_FIRST_BEAM_ELEMENT, PDN_FIRST_NODE, PDN_FIRST_SHELL_ELEMENT};
 use periodyn::capi::load::{PDN_FORCE_1, PDN_FRAME_SPACE};
 use periodyn::capi::rigid_edge::*;
 use periodyn::capi::shell::*;
-use periodyn::capi::surface_force::pdn_model_add_surface_force;
+use periodyn::capi::surface_force::{pdn_model_add_line_force, pdn_model_add_surface_force};
 use periodyn::capi::user_force::PDN_TANGENTS_DIFFERENCED;
 use std::mem::MaybeUninit;
 use std::ptr::{null, null_mut};
@@ -18,12 +19,13 @@ impl Session<'_, '_> {
     pub(super) fn shell(&mut self) {
         let mut elements = 0;
         call!(pdn_model_shell_element_count(self.model, &mut elements));
-        match self.bytes.below(8) {
+        match self.bytes.below(9) {
             0..=2 if elements < MOST_ELEMENTS => self.grid(),
             3 if elements < MOST_ELEMENTS => self.quadrilaterals(),
             4 => self.surface_force(elements as usize),
             5 => self.rigid_joints(),
             6 => self.prestress(elements as usize),
+            8 => self.line_force(),
             _ => self.shell_load(elements as usize),
         }
     }
@@ -154,6 +156,22 @@ impl Session<'_, '_> {
             self.bytes.constant(PDN_FIRST_SHELL_ELEMENT, elements),
             1,
             self.bytes.constant(PDN_SHELL_EDGE_START_ETA, 5),
+            self.bytes.constant(PDN_FRAME_SPACE, 2),
+            PDN_TANGENTS_DIFFERENCED,
+            Some(given::surface_force),
+            null_mut(),
+            None,
+            &mut first,
+        ));
+    }
+
+    fn line_force(&mut self) {
+        let [_, _, elements, _] = self.counts();
+        let mut first = 0;
+        call!(pdn_model_add_line_force(
+            self.model,
+            self.bytes.constant(PDN_FIRST_BEAM_ELEMENT, elements),
+            1,
             self.bytes.constant(PDN_FRAME_SPACE, 2),
             PDN_TANGENTS_DIFFERENCED,
             Some(given::surface_force),
