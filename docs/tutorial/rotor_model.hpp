@@ -49,9 +49,10 @@ struct Rotor {
             const auto bearing = model.add_revolute(hub, blade.first, root, {0, s, -c});
             pitches[b] = model.prescribe(bearing, pdn::Coordinate::rotation, pitch);
             for (auto node = blade.first; node <= blade.last; ++node) {
-                const auto p = model.node_frame(std::max(node - 1, blade.first)).position;
-                const auto q = model.node_frame(std::min(node + 1, blade.last)).position;
-                const double width = std::hypot(q[1] - p[1], q[2] - p[2]) / 2;
+                const auto before = model.node_frame(std::max(node - 1, blade.first));
+                const auto after = model.node_frame(std::min(node + 1, blade.last));
+                const double width = std::hypot(after.position[1] - before.position[1],
+                                                after.position[2] - before.position[2]) / 2;
                 model.add_user_force({node}, pdn::Frame::material, pdn::Tangents::differenced,
                                      airload(width));
             }

@@ -8,6 +8,7 @@ static pdn_model *model;
 static pdn_solution *solution;
 static pdn_shell shell;
 static pdn_section section;
+static pdn_shell_section plate;
 static pdn_signal signal;
 static const double time_[1] = {0.3};
 static double values[16];
@@ -178,6 +179,12 @@ static pdn_status surface_force(const int32_t *v)
                                        NULL, NULL);
 }
 
+static pdn_status line_force(const int32_t *v)
+{
+    return pdn_model_add_line_force(model, v[0], v[1], v[2], v[3], surface_forces, NULL, NULL,
+                                    NULL);
+}
+
 static pdn_status rigid_edge(const int32_t *v)
 {
     int32_t first, count;
@@ -192,6 +199,11 @@ static pdn_status prestress(const int32_t *v)
 static pdn_status beam_section(const int32_t *v)
 {
     return pdn_model_set_beam_section(model, v[0], v[1], &section);
+}
+
+static pdn_status shell_section(const int32_t *v)
+{
+    return pdn_model_set_shell_section(model, v[0], v[1], &plate);
 }
 
 static pdn_status set_signal(const int32_t *v)

@@ -187,9 +187,8 @@ static void shells_and_inertias_change(void)
     CHECK_STATUS(pdn_shell_section_set_isotropic(&section, 0.2, 1e6, 0.3, 1, 1, 0.1), PDN_OK);
     CHECK_STATUS(pdn_model_set_shell_section(model, element, 1, &section), PDN_OK);
     CHECK_STATUS(pdn_shell_section_set_isotropic(&section, 0.2, 1e6, 0.3, 0, 1, 0.1), PDN_OK);
-    REFUSED(pdn_model_set_shell_section(model, element, 1, &section), PDN_ERR_VALUE,
-            "section: expected a section with mass");
-    REFUSED(pdn_model_set_shell_section(model, element, 2, &section), PDN_ERR_SIZE, "elements: ");
+    CHECK_STATUS(pdn_model_set_shell_section(model, element, 1, &section), PDN_ERR_VALUE);
+    CHECK_STATUS(pdn_model_set_shell_section(model, element, 2, &section), PDN_ERR_SIZE);
 
     CHECK_STATUS(pdn_model_add_mass(model, nodes[0], 2, origin, eye, &inertia), PDN_OK);
     CHECK_STATUS(pdn_model_inertia(model, inertia, &node, matrix), PDN_OK);

@@ -82,9 +82,14 @@ static const struct {
      surface_force,
      5,
      {SHELL_ELEMENT(0), 1, PDN_SHELL_SURFACE, PDN_FRAME_SPACE, PDN_TANGENTS_DIFFERENCED}},
+    {"line force",
+     line_force,
+     4,
+     {BEAM_ELEMENT(0), 1, PDN_FRAME_SPACE, PDN_TANGENTS_DIFFERENCED}},
     {"rigid edge", rigid_edge, 2, {NODE(0), PDN_SHELL_EDGE_END_XI}},
     {"prestress", prestress, 2, {SHELL_ELEMENT(0), 1}},
     {"beam section", beam_section, 2, {BEAM_ELEMENT(0), 1}},
+    {"shell section", shell_section, 2, {SHELL_ELEMENT(0), 1}},
     {"signal set", set_signal, 3, {PDN_SIGNAL_OF_LOAD, LOAD(0), PDN_FORCE_1}},
     {"force numbers", force_numbers, 2, {FORCE(0), PDN_NUMBER_STIFFNESS}},
     {"controller bound", bind_controller, 2, {CONTROLLER, PDN_TANGENTS_DIFFERENCED}},
@@ -155,7 +160,6 @@ static pdn_model *made(void)
     const double moments[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     const double stiffness[6] = {1e4, 1e4, 1e4, 10, 10, 10}, mass[4] = {1, 1e-2, 1e-2, 1e-2};
     int32_t body, i, id;
-    pdn_shell_section plate;
     pdn_surface surface;
     pdn_line line;
     pdn_stations stations;
