@@ -4,6 +4,7 @@
 mod common;
 
 use common::models::beams::shaken_rod;
+use common::models::rotors::{AXIS, RotorKind, bladed_rotor};
 use common::*;
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 use periodyn::elements::*;
@@ -418,6 +419,41 @@ fn a_march_keeps_to_the_periodic_motion_to_the_second_order() {
     let ratio = errors[0] / errors[1];
     assert!((3.6..4.4).contains(&ratio), "{errors:?}");
     assert!(errors[1] < 1e-5, "{errors:?}");
+}
+
+#[test]
+fn the_air_on_like_blades_is_that_on_all_of_them() {
+    // By the velocity of the sections relative to a wind that is stronger higher up, as its square.
+    let mut rotor = bladed_rotor(&RotorKind::new(3, 1, true));
+    let air = law(LoadFrame::Space, false, |state, out| {
+        for (k, velocity) in state.velocities.iter().enumerate() {
+            let wind = AXIS * (8.0 + state.positions[k][2]);
+            let relative = velocity.fixed_rows::<3>(0) - wind;
+            let force = relative * (-0.02 * relative.norm());
+            out.forces[k].fixed_rows_mut::<3>(0).copy_from(&force);
+        }
+        Ok(())
+    });
+    // The tower is the first element.
+    let blades = rotor.model.object_count(ObjectKind::BeamElement) - 1;
+    let still = solve(&rotor.model, rotor.period, 21);
+    rotor
+        .model
+        .add_surface_forces(1, blades, ForcePlace::Line, air)
+        .unwrap();
+    let whole = solve(&rotor.model, rotor.period, 21);
+    let alike = solve(&rotor.symmetric(), rotor.period, 21);
+    let times = times(rotor.period, 5);
+    for blade in &rotor.blades {
+        let of = |solution: &Solution| {
+            let node = *blade.last().unwrap();
+            solution.node(node, NodeQuantity::Position, &times).unwrap()
+        };
+        let apart = largest_difference(&of(&whole), &of(&alike));
+        let moved = largest_difference(&of(&whole), &of(&still));
+        println!("{apart:e} of {moved}");
+        assert!(apart < 1e-10 && moved > 1e-2, "{apart:e} {moved}");
+    }
 }
 
 #[test]

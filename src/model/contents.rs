@@ -14,7 +14,7 @@ impl Model {
     /// The joint of this id.
     ///
     /// # Errors
-    /// [`ErrorKind::Identifier`].
+    /// [`ErrorKind::Identifier`](crate::error::ErrorKind::Identifier).
     pub fn joint(&self, joint: usize) -> Result<&JointDefinition> {
         self.require_joint("joint", joint)
     }
@@ -22,7 +22,7 @@ impl Model {
     /// The force of this id.
     ///
     /// # Errors
-    /// [`ErrorKind::Identifier`].
+    /// [`ErrorKind::Identifier`](crate::error::ErrorKind::Identifier).
     pub fn force(&self, force: usize) -> Result<&ForceDefinition> {
         self.require_force("force", force)
     }
@@ -30,7 +30,7 @@ impl Model {
     /// The beam element of this id.
     ///
     /// # Errors
-    /// [`ErrorKind::Identifier`].
+    /// [`ErrorKind::Identifier`](crate::error::ErrorKind::Identifier).
     pub fn beam_definition(&self, element: usize) -> Result<&BeamDefinition> {
         require_id("element", "beam element", self.beams.len(), element)?;
         Ok(&self.beams[element])

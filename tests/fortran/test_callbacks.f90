@@ -93,6 +93,20 @@ contains
         failing_curve = merge(5, 6, .not. c_associated(user_data))
     end function failing_curve
 
+    ! A lift along a beam.
+    integer(c_int32_t) function lift(state, values, user_data) bind(C)
+        type(pdn_surface_state), intent(in) :: state
+        type(pdn_surface_values), intent(inout) :: values
+        type(c_ptr), value :: user_data
+        real(dp), pointer :: places(:, :), forces(:, :)
+
+        call c_f_pointer(state%places, places, [2, int(state%point_count)])
+        call c_f_pointer(values%forces, forces, [6, int(state%point_count)])
+        forces(3, :) = 1000
+        lift = merge(0, 1, all(abs(places(1, :)) < 1) .and. all(abs(places(2, :)) <= 0) .and. &
+            state%element == PDN_FIRST_BEAM_ELEMENT + 1 .and. .not. c_associated(user_data))
+    end function lift
+
     ! Cancels after as many iterations as the data says.
     integer(c_int32_t) function cancel(progress, user_data) bind(C)
         type(pdn_progress), intent(in) :: progress
@@ -110,6 +124,7 @@ program test_callbacks
     implicit none
 
     call laws_and_forces()
+    call lifts()
     call failures()
     call cancelling()
 
@@ -163,6 +178,38 @@ contains
             destroy, stat=stat)
         call check(stat == PDN_ERR_ID .and. data%destroyed == 2, 'not taken')
     end subroutine laws_and_forces
+
+    ! A lift by a function is the load.
+    subroutine lifts()
+        type(pdn_model) :: model
+        type(pdn_solution) :: solution
+        type(pdn_beam) :: beam
+        type(pdn_force_info) :: info
+        real(dp) :: position(3, 1), heights(2)
+        integer :: force, k
+
+        do k = 1, 2
+            call model%new()
+            call model%add_straight_beam(origin, axis_1, axis_2, steel(), 2, 2, beam)
+            call model%add_rigid_joint(PDN_GROUND, beam%first, origin)
+            if (k == 1) then
+                call model%add_distributed_load(beam%first_element + 1, 1, PDN_FRAME_MATERIAL, &
+                    PDN_FORCE_3, pdn_constant_signal(1000.0_dp))
+            else
+                call model%add_line_force(beam%first_element + 1, 1, PDN_FRAME_MATERIAL, &
+                    PDN_TANGENTS_DIFFERENCED, lift, first_force=force)
+                call model%force(force, info)
+                call check(info%kind == PDN_FORCE_IS_LINE_FORCE .and. &
+                    info%beam_element == PDN_FIRST_BEAM_ELEMENT + 1, 'force along a beam')
+            end if
+            call model%solve_static(solution)
+            call check(solution%converged(), 'converged')
+            call solution%sample(pdn_quantity_of(PDN_NODE_POSITION, beam%last), [0.0_dp], position)
+            heights(k) = position(3, 1)
+        end do
+        call check(heights(1) > 1e-3_dp, 'lifted')
+        call near(heights(2), heights(1), 1e-12_dp, 'lift by a function')
+    end subroutine lifts
 
     subroutine failures()
         type(pdn_model) :: model
