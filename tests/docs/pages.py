@@ -18,6 +18,10 @@ import zlib
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests/languages"))
+
+from same_text import differences  # noqa: E402
+
 FENCE = re.compile(r"^```(\w*|\{\w+\} *[^\n]*)\n(.*?)^```$", re.M | re.S)
 # Blocks of these languages on these pages are run or compared by these tests, as they stand there.
 BLOCKS = {
@@ -139,16 +143,6 @@ def fault_of_c(page, number, block, options):
     return compile_fault(compiler, f"#include <periodyn.h>\n{includes}{whole}\n")
 
 
-def numbers_apart(text, other):
-    """How far apart two texts are, which may differ in numbers by rounding only."""
-    number = re.compile(r"-?\d+\.\d+(?:e[-+]\d+)?|\d+e[-+]\d+")
-    if number.sub("#", text).split() != number.sub("#", other).split():
-        return "other words"
-    pairs = zip(number.findall(text), number.findall(other))
-    apart = [f"{a}, {b}" for a, b in pairs if abs(float(a) - float(b)) > 2e-4 * (1 + abs(float(a)))]
-    return "; ".join(apart) or None
-
-
 def fault_of_block(page, language, number, block, options):
     """What is wrong with a block of a language, by its number among those of the page."""
     if (page, language) in BLOCKS:
@@ -181,7 +175,7 @@ def fault_of_block(page, language, number, block, options):
             return None
         printed = subprocess.run([options.sensitivities], capture_output=True, text=True,
                                  check=True).stdout
-        return numbers_apart(block, printed)
+        return "\n".join(differences(block, printed)) or None
     if (page, language) == ("ARCHITECTURE.md", "text"):
         names = re.findall(r"^[│├└─ ]*(?:[a-z_]+ ─+ )?([a-z_]+)  ", block, re.M)
         there = {path.stem for path in (ROOT / "src").rglob("*")}
