@@ -3,13 +3,12 @@
 use super::contents::force_number;
 use super::guard::guard;
 use super::id::Kind;
-use super::model::pdn_model;
+use super::model::{element_count, pdn_model};
 use super::parameter::signal_place;
 use super::section::{self, pdn_section, read_struct};
 use super::shell::pdn_shell_section;
 use super::signal::{self, pdn_signal};
 use super::status::pdn_status;
-use crate::error::Error;
 use nalgebra::Matrix6;
 
 /// Gives what follows a signal another one: a load, an actuator, a prescribed coordinate. In a
@@ -97,8 +96,7 @@ pub unsafe extern "C" fn pdn_model_set_beam_section(
     guard(|call| {
         let mut model = call.exclusive(model, "model")?;
         let first = Kind::BeamElement.index_in(&model, first_element, "first_element")?;
-        let count = usize::try_from(elements)
-            .map_err(|_| Error::size("elements", "at least 1", elements))?;
+        let count = element_count(elements)?;
         let section = section::read(call, section, "section")?;
         model.set_beam_section(first, count, &section)
     })
@@ -127,8 +125,7 @@ pub unsafe extern "C" fn pdn_model_set_shell_section(
     guard(|call| {
         let mut model = call.exclusive(model, "model")?;
         let first = Kind::ShellElement.index_in(&model, first_element, "first_element")?;
-        let count = usize::try_from(elements)
-            .map_err(|_| Error::size("elements", "at least 1", elements))?;
+        let count = element_count(elements)?;
         let section = read_struct(call, section, "section")?.core();
         model.set_shell_section(first, count, &section)
     })

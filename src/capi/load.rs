@@ -3,7 +3,7 @@
 use super::call::Call;
 use super::guard::guard;
 use super::id::Kind;
-use super::model::{add_object, choose, pdn_model};
+use super::model::{add_object, choose, element_count, pdn_model};
 use super::signal::{self, pdn_signal};
 use super::status::pdn_status;
 use crate::elements::{BeamLoadFrame, LoadFrame};
@@ -225,8 +225,7 @@ pub unsafe extern "C" fn pdn_model_add_distributed_load(
 ) -> pdn_status {
     let read = |call: &Call, model: &Model| {
         let first_element = Kind::BeamElement.index_in(model, first_element, "first_element")?;
-        let elements = usize::try_from(elements)
-            .map_err(|_| Error::size("elements", "at least 1", elements))?;
+        let elements = element_count(elements)?;
         let frame = load_frame(frame)?;
         let components = components(call, component, signal)?;
         let fractions = call.numbers(fractions, count, "fractions")?;
@@ -294,8 +293,7 @@ pub unsafe extern "C" fn pdn_model_add_load_at_places(
         const MOST: usize = 100_000;
         let mut model = call.exclusive(model, "model")?;
         let first_element = Kind::BeamElement.index_in(&model, first_element, "first_element")?;
-        let elements = usize::try_from(elements)
-            .map_err(|_| Error::size("elements", "at least 1", elements))?;
+        let elements = element_count(elements)?;
         let frame = beam_load_frame(call, frame, axis_2)?;
         if !(2..=MOST).contains(&count) {
             return Err(Error::size("count", format!("2 to {MOST}"), count));

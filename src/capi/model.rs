@@ -68,6 +68,11 @@ pub(super) fn body(model: &Model, id: i32, name: &str) -> Result<Option<usize>> 
     node.map(Some)
 }
 
+/// How many elements a function is about; that there are so many is for the model to say.
+pub(super) fn element_count(elements: i32) -> Result<usize> {
+    usize::try_from(elements).map_err(|_| Error::size("elements", "at least 1", elements))
+}
+
 /// Body of a function that adds a thing of a kind, which `add` makes of what it reads, and gives
 /// its id where that is wanted.
 pub(super) fn add_object<T>(

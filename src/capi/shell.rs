@@ -4,7 +4,7 @@ use super::call::Call;
 use super::guard::{guard, init};
 use super::id::Kind;
 use super::load::{components, load_frame};
-use super::model::{self, add_object, choose, number, pdn_model};
+use super::model::{self, add_object, choose, element_count, number, pdn_model};
 use super::options::Options;
 use super::pointer::check_pointer;
 use super::section::{read_struct, update_struct};
@@ -735,8 +735,7 @@ pub unsafe extern "C" fn pdn_model_add_shell_load(
 ) -> pdn_status {
     let read = |call: &Call, model: &Model| {
         let first_element = Kind::ShellElement.index_in(model, first_element, "first_element")?;
-        let elements = usize::try_from(elements)
-            .map_err(|_| Error::size("elements", "at least 1", elements))?;
+        let elements = element_count(elements)?;
         let place = load_place(place)?;
         let frame = load_frame(frame)?;
         let components = components(call, component, signal)?;

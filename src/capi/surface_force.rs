@@ -4,14 +4,14 @@ use super::callback::Callback;
 use super::guard::guard;
 use super::id::Kind;
 use super::load::load_frame;
-use super::model::pdn_model;
+use super::model::{element_count, pdn_model};
 use super::shell::load_place;
 use super::status::pdn_status;
 use super::user_force::{gives_tangents, pdn_destroy_fn};
 use crate::elements::{
     ForcePlace, LoadFrame, SurfaceForceInput, SurfaceForceLaw, SurfaceForceOutput,
 };
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::model::Model;
 use libc::c_void;
 use std::sync::Arc;
@@ -214,8 +214,7 @@ fn add(
     guard(|call| {
         let mut model = call.exclusive(model, "model")?;
         let (first, place) = on(&model)?;
-        let elements = usize::try_from(elements)
-            .map_err(|_| Error::size("elements", "at least 1", elements))?;
+        let elements = element_count(elements)?;
         let frame = load_frame(frame)?;
         let gives_tangents = gives_tangents(tangents)?;
         // All that could be refused comes before `user_data` is taken over.
