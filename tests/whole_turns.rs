@@ -6,6 +6,7 @@ mod common;
 use common::*;
 use nalgebra::{Matrix3, Vector3};
 use periodyn::elements::{Coordinate, JointKind};
+use periodyn::error::ErrorKind;
 use periodyn::fourier::TimeGrid;
 use periodyn::model::*;
 use periodyn::motion::Motion;
@@ -276,4 +277,89 @@ fn steps_of_more_than_half_a_turn_between_bodies_are_counted_by_springs_too() {
     // 24 s of 5 rad/s, less what it takes to get there.
     let last = *angles.last().unwrap();
     assert!((-120.0..-110.0).contains(&last), "{last}");
+}
+
+const CARDAN: [Coordinate; 3] = [
+    Coordinate::Rotation1,
+    Coordinate::Rotation2,
+    Coordinate::Rotation3,
+];
+
+/// A body whose three Cardan angles are prescribed: one of them, and the others constant.
+fn held(kind: JointKind, driven: Coordinate, signal: &Signal) -> Model {
+    let mut model = Model::new();
+    let inertia = Matrix3::from_diagonal(&Vector3::new(0.3, 0.4, 0.6));
+    let body = model.add_rigid_body(1.0, &Vector3::zeros(), &inertia);
+    let frame = Motion::identity();
+    let joint = model.add_joint(kind, None, Some(body.unwrap()), &frame, &frame);
+    let joint = joint.unwrap();
+    for &coordinate in kind.coordinates() {
+        let constant = Signal::constant(0.1).unwrap();
+        let of_it = if coordinate == driven {
+            signal
+        } else {
+            &constant
+        };
+        let at = JointCoordinate { joint, coordinate };
+        model.prescribe(at, of_it).unwrap();
+    }
+    model
+}
+
+#[test]
+fn the_middle_one_of_three_angles_has_no_turns() {
+    let drive = steady(TAU / PERIOD);
+    for kind in [JointKind::Free, JointKind::Spherical] {
+        for coordinate in CARDAN {
+            let model = held(kind, coordinate, &drive);
+            let found = try_solve(&model, PERIOD, 9);
+            if coordinate != Coordinate::Rotation2 {
+                let times = [0.0, 1.3, 5.9];
+                let solution = converged(found.unwrap());
+                let angles = JointQuantity::Coordinate(coordinate);
+                let angles = solution.joint(0, angles, &times).unwrap();
+                for (angle, time) in angles.iter().zip(times) {
+                    assert!((angle - TAU * time / PERIOD).abs() < 1e-9, "{angle}");
+                }
+                continue;
+            }
+            let error = found.unwrap_err();
+            assert_eq!(error.kind(), ErrorKind::Model);
+            let expected = "prescribed rotation 2 of joint 0: expected an angle within a quarter \
+                            turn (1.5708), as it is the middle one of three, got ";
+            assert!(error.to_string().starts_with(expected), "{error}");
+        }
+        // Short of a quarter turn all is well.
+        let swing = |amplitude: f64| held(kind, Coordinate::Rotation2, &cosine(amplitude));
+        let solution = converged(try_solve(&swing(1.5), PERIOD, 31).unwrap());
+        let angle = JointQuantity::Coordinate(Coordinate::Rotation2);
+        let angle = solution.joint(0, angle, &[0.0, 0.5 * PERIOD]).unwrap();
+        assert!((angle[0] - 1.5).abs() < 1e-8 && (angle[1] + 1.5).abs() < 1e-8);
+        assert!(try_solve(&swing(1.58), PERIOD, 31).is_err());
+    }
+}
+
+#[test]
+fn a_march_ends_where_a_middle_angle_does() {
+    let model = held(JointKind::Free, Coordinate::Rotation2, &steady(1.0));
+    let until = |end: f64| {
+        let options = MarchOptions::with_step(0.02, MarchEnd::Duration(end));
+        Solution::march(&model, &options, &mut |_, _| true)
+    };
+    let solution = converged(until(1.5).unwrap());
+    let angle = JointQuantity::Coordinate(Coordinate::Rotation2);
+    let angle = solution.joint(0, angle, &[1.5]).unwrap()[0];
+    assert!((angle - 1.5).abs() < 1e-8, "{angle}");
+    let error = until(1.7).unwrap_err().to_string();
+    assert!(
+        error.contains("prescribed rotation 2 of joint 0: expected"),
+        "{error}"
+    );
+    let at = |angle: f64| {
+        let signal = Signal::constant(angle).unwrap();
+        let model = held(JointKind::Spherical, Coordinate::Rotation2, &signal);
+        Solution::solve_static(&model, &StaticOptions::default(), &mut |_, _| true)
+    };
+    assert!(at(1.5).is_ok());
+    assert_eq!(at(-1.6).unwrap_err().kind(), ErrorKind::Model);
 }

@@ -289,9 +289,17 @@ impl JointKind {
         }
     }
 
+    /// Whether coordinate `which` is the middle one of three Cardan angles. It stays within a
+    /// quarter turn of zero: there the others, about one axis then, are undefined.
+    pub fn is_middle_angle(self, which: Coordinate) -> bool {
+        let has_three = matches!(self, JointKind::Spherical | JointKind::Free);
+        has_three && which == Coordinate::Rotation2
+    }
+
     /// Whether [`JointKind::coordinate`] gives coordinate `which` without its whole turns.
     pub fn leaves_turns_open(self, which: Coordinate) -> bool {
-        which.measure() == Measure::Angle && !matches!(self, JointKind::Screw { .. })
+        let counted = matches!(self, JointKind::Screw { .. }) || self.is_middle_angle(which);
+        which.measure() == Measure::Angle && !counted
     }
 
     /// The value of coordinate `which` that fits `value` and, if its whole turns are open, is

@@ -197,7 +197,13 @@ impl<'a> Builder<'a> {
                 .kind()
                 .leaves_turns_open(at.coordinate);
             let unit = if turns { TAU } else { 0.0 };
-            let signal = system.add_signal(bound, start, unit, place)?;
+            let signal = match system.joints[at.joint]
+                .kind()
+                .is_middle_angle(at.coordinate)
+            {
+                true => system.add_middle_angle(bound, start, place)?,
+                false => system.add_signal(bound, start, unit, place)?,
+            };
             if turns && counts {
                 system.counted_turns.push(signal);
             }

@@ -6,12 +6,15 @@ use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::{PeriodicSeries, TimeGrid};
 use crate::model::{BoundSignal, absent};
 use nalgebra::Vector3;
+use std::f64::consts::FRAC_PI_2;
 
 /// A signal, and the value it grows from when loads are raised in steps.
 #[derive(Debug, Clone)]
 pub(super) struct DrivenSignal {
     pub signal: BoundSignal,
     pub start: f64,
+    /// Whether it must stay within a quarter turn, as a middle angle does.
+    within_quarter: bool,
     /// What it drives, for messages.
     place: String,
 }
@@ -19,11 +22,48 @@ pub(super) struct DrivenSignal {
 impl DrivenSignal {
     /// Its value under all loads.
     fn value(&self, time: f64) -> Result<f64> {
-        (self.signal.value(time)).map_err(|e| e.within(&self.place))
+        let value = (self.signal.value(time)).map_err(|e| e.within(&self.place))?;
+        if self.within_quarter && value.abs() >= FRAC_PI_2 {
+            let message = format!(
+                "{}: expected an angle within a quarter turn (1.5708), as it is the middle one of \
+                 three, got {value:.6} at t = {time}: turn about axis 1 or 3 of the joint's first \
+                 frame",
+                self.place
+            );
+            return Err(Error::new(ErrorKind::Model, message));
+        }
+        Ok(value)
     }
 }
 
 impl System {
+    /// Adds a signal of a middle angle of a joint, which must stay within a quarter turn.
+    ///
+    /// # Errors
+    /// As [`System::add_signal`], and where it does not.
+    pub(super) fn add_middle_angle(
+        &mut self,
+        signal: BoundSignal,
+        start: f64,
+        place: String,
+    ) -> Result<usize> {
+        let driven = DrivenSignal {
+            signal,
+            start,
+            within_quarter: true,
+            place,
+        };
+        if let Regime::Periodic(period) = self.regime {
+            const TIMES: usize = 32;
+            for k in 0..=TIMES {
+                driven.value(period * (k as f64 / TIMES as f64))?;
+            }
+        }
+        let number = self.add_signal(driven.signal, start, 0.0, driven.place)?;
+        self.signals[number].within_quarter = true;
+        Ok(number)
+    }
+
     /// Adds a signal that repeats itself, or gains whole multiples of `unit` in a period.
     pub(super) fn add_signal(
         &mut self,
@@ -47,6 +87,7 @@ impl System {
         self.signals.push(DrivenSignal {
             signal,
             start,
+            within_quarter: false,
             place,
         });
         Ok(self.signals.len() - 1)
