@@ -9255,10 +9255,25 @@ static inline pdn_quantity pdn_quantity_of(int32_t kind, int32_t object, int32_t
 
 #ifndef __cplusplus
 /**
- * A pointer to the same, valid in the block where it stands: for calls that need no other fields.
+ * A quantity of these fields; a frame that is not given is the default.
  */
-#define PDN_QUANTITY(kind, object, component) \
-    ((const pdn_quantity[]){pdn_quantity_of((kind), (object), (component))})
+static inline pdn_quantity pdn_quantity_with(pdn_quantity fields)
+{
+    pdn_quantity quantity;
+    PDN_INIT(pdn_quantity, &quantity);
+    fields.struct_size = quantity.struct_size;
+    if (fields.frame == 0)
+        fields.frame = quantity.frame;
+    return fields;
+}
+
+/**
+ * A pointer to a quantity, valid in the block where it stands: kind, object, component and, by name,
+ * other fields, as in PDN_QUANTITY(PDN_BEAM_FORCE, element, PDN_ALL_COMPONENTS, .station = -1).
+ */
+#define PDN_QUANTITY(of_kind, of_object, ...) \
+    ((const pdn_quantity[]){pdn_quantity_with((pdn_quantity){ \
+        .kind = (of_kind), .object = (of_object), .component = __VA_ARGS__})})
 #endif
 
 #endif  /* PERIODYN_H_INLINE */

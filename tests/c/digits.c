@@ -18,11 +18,13 @@ static void show(const char *what, pdn_solution *solution)
     const double times[3] = {0.05, 0.1, 0.17};
     double values[9];
     CHECK(pdn_solution_outcome(solution) == PDN_CONVERGED);
-    CHECK_STATUS(
-        pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, parts.beam.last), times, 3, values),
-        PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(
+                     solution, PDN_QUANTITY(PDN_NODE_POSITION, parts.beam.last, PDN_ALL_COMPONENTS),
+                     times, 3, values),
+                 PDN_OK);
     print(what, values, 9);
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_COORDINATE, parts.hinge, PDN_ROTATION),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_JOINT_COORDINATE, parts.hinge, PDN_ROTATION),
                                      times, 3, values),
                  PDN_OK);
     print(what, values, 3);

@@ -65,8 +65,14 @@ static double difference(const pdn_solution *a, const pdn_solution *b)
     int i;
     for (i = 0; i < TIMES; i++)
         times[i] = PERIOD * i / TIMES;
-    CHECK_STATUS(pdn_solution_sample(a, ASK(PDN_NODE_POSITION, NODE(0)), times, TIMES, x), PDN_OK);
-    CHECK_STATUS(pdn_solution_sample(b, ASK(PDN_NODE_POSITION, NODE(0)), times, TIMES, y), PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(a,
+                                     PDN_QUANTITY(PDN_NODE_POSITION, NODE(0), PDN_ALL_COMPONENTS),
+                                     times, TIMES, x),
+                 PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(b,
+                                     PDN_QUANTITY(PDN_NODE_POSITION, NODE(0), PDN_ALL_COMPONENTS),
+                                     times, TIMES, y),
+                 PDN_OK);
     for (i = 0; i < 3 * TIMES; i++)
         largest = fmax(largest, fabs(x[i] - y[i]));
     return largest;
@@ -142,7 +148,9 @@ static void a_tolerance_that_is_not_met_is_said_so(void)
     CHECK(diagnostics_of(solution).error_estimate < 1e-1);
     CHECK(reports(solution, "tolerance is not met") && reports(solution, "1.0e-9"));
     CHECK(reports(solution, "no more than 20 grid points"));
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, NODE(0)), &time, 1, position),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_NODE_POSITION, NODE(0), PDN_ALL_COMPONENTS),
+                                     &time, 1, position),
                  PDN_OK);
     pdn_solution_free(solution);
 

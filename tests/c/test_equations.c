@@ -146,8 +146,10 @@ static double difference(const struct test_model *model, const pdn_solution *a,
     for (int i = 0; i < 25; ++i) {
         const double time = model->period * i / 25;
         double x[2][3];
-        GOOD(pdn_solution_sample(a, ASK(PDN_NODE_POSITION, model->node), &time, 1, x[0]));
-        GOOD(pdn_solution_sample(b, ASK(PDN_NODE_POSITION, model->node), &time, 1, x[1]));
+        GOOD(pdn_solution_sample(
+            a, PDN_QUANTITY(PDN_NODE_POSITION, model->node, PDN_ALL_COMPONENTS), &time, 1, x[0]));
+        GOOD(pdn_solution_sample(
+            b, PDN_QUANTITY(PDN_NODE_POSITION, model->node, PDN_ALL_COMPONENTS), &time, 1, x[1]));
         for (int j = 0; j < 3; ++j) {
             most = fmax(most, fabs(x[0][j] - x[1][j]));
             size = fmax(size, fabs(x[1][j]));

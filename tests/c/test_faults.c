@@ -152,7 +152,8 @@ static void look(solve_fn solve, double *positions)
     memset(&plan, 0, sizeof plan);
     CHECK_STATUS(solve(&solution), PDN_OK);
     CHECK(pdn_solution_outcome(solution) == PDN_CONVERGED);
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_COORDINATE, slide, PDN_DISPLACEMENT),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_JOINT_COORDINATE, slide, PDN_DISPLACEMENT),
                                      times, 3, positions),
                  PDN_OK);
     pdn_solution_free(solution);
@@ -163,10 +164,12 @@ static int is_told(const pdn_solution *solution)
 {
     const double time = 0;
     double effort, forces[6];
-    return pdn_solution_sample(solution, ASK(PDN_FORCE_EFFORT, law_id), &time, 1, &effort) ==
-               PDN_ERR_CALLBACK ||
-           pdn_solution_sample(solution, ASK(PDN_FORCE_ON_NODE, force_id, .node = body), &time, 1,
-                               forces) == PDN_ERR_CALLBACK;
+    return pdn_solution_sample(solution, PDN_QUANTITY(PDN_FORCE_EFFORT, law_id, PDN_ALL_COMPONENTS),
+                               &time, 1, &effort) == PDN_ERR_CALLBACK ||
+           pdn_solution_sample(
+               solution,
+               PDN_QUANTITY(PDN_FORCE_ON_NODE, force_id, PDN_ALL_COMPONENTS, .node = body), &time,
+               1, forces) == PDN_ERR_CALLBACK;
 }
 
 /* A fault at one call. */

@@ -74,43 +74,59 @@ static void a_table(const pdn_solution *solution)
         own[k] = 1.0 / (3.0 + k);
     }
     CHECK_STATUS(pdn_table_new(times, TIMES, &table), PDN_OK);
-    CHECK_STATUS(pdn_table_add_quantity(table, solution, ASK(PDN_NODE_POSITION, body), "p"),
+    CHECK_STATUS(pdn_table_add_quantity(table, solution,
+                                        PDN_QUANTITY(PDN_NODE_POSITION, body, PDN_ALL_COMPONENTS),
+                                        "p"),
                  PDN_OK);
     CHECK_STATUS(pdn_table_add_quantity(table, solution,
-                                        ASK(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION), NULL),
-                 PDN_OK);
-    CHECK_STATUS(pdn_table_add_quantity(
-                     table, solution, ASK(PDN_JOINT_DRIVING_EFFORT, hinge, PDN_ROTATION), "torque"),
-                 PDN_OK);
-    CHECK_STATUS(pdn_table_add_quantity(table, solution, ASK(PDN_JOINT_REACTION, hinge), NULL),
+                                        PDN_QUANTITY(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION),
+                                        NULL),
                  PDN_OK);
     CHECK_STATUS(pdn_table_add_quantity(table, solution,
-                                        ASK(PDN_BEAM_FORCE, beam.first_element, .station = -1),
+                                        PDN_QUANTITY(PDN_JOINT_DRIVING_EFFORT, hinge, PDN_ROTATION),
+                                        "torque"),
+                 PDN_OK);
+    CHECK_STATUS(pdn_table_add_quantity(table, solution,
+                                        PDN_QUANTITY(PDN_JOINT_REACTION, hinge, PDN_ALL_COMPONENTS),
+                                        NULL),
+                 PDN_OK);
+    CHECK_STATUS(pdn_table_add_quantity(table, solution,
+                                        PDN_QUANTITY(PDN_BEAM_FORCE, beam.first_element,
+                                                     PDN_ALL_COMPONENTS, .station = -1),
                                         "root"),
                  PDN_OK);
-    CHECK_STATUS(pdn_table_add_quantity(table, solution, ASK(PDN_FORCE_EFFORT, spring), NULL),
+    CHECK_STATUS(pdn_table_add_quantity(table, solution,
+                                        PDN_QUANTITY(PDN_FORCE_EFFORT, spring, PDN_ALL_COMPONENTS),
+                                        NULL),
                  PDN_OK);
     CHECK_STATUS(pdn_table_add_values(table, "mine, \"own\"", own, TIMES), PDN_OK);
     CHECK_STATUS(pdn_table_write_csv(table, "test_files.csv"), PDN_OK);
     pdn_table_free(table);
 
-    CHECK_STATUS(
-        pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, body), times, TIMES, position),
-        PDN_OK);
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION),
-                                     times, TIMES, angle),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_NODE_POSITION, body, PDN_ALL_COMPONENTS),
+                                     times, TIMES, position),
                  PDN_OK);
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_DRIVING_EFFORT, hinge, PDN_ROTATION),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION), times,
+                                     TIMES, angle),
+                 PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_JOINT_DRIVING_EFFORT, hinge, PDN_ROTATION),
                                      times, TIMES, torque),
                  PDN_OK);
-    CHECK_STATUS(
-        pdn_solution_sample(solution, ASK(PDN_JOINT_REACTION, hinge), times, TIMES, reaction),
-        PDN_OK);
     CHECK_STATUS(pdn_solution_sample(solution,
-                                     ASK(PDN_BEAM_FORCE, beam.first_element, .station = -1), times,
-                                     TIMES, root),
+                                     PDN_QUANTITY(PDN_JOINT_REACTION, hinge, PDN_ALL_COMPONENTS),
+                                     times, TIMES, reaction),
                  PDN_OK);
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_FORCE_EFFORT, spring), times, TIMES, effort),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_BEAM_FORCE, beam.first_element,
+                                                  PDN_ALL_COMPONENTS, .station = -1),
+                                     times, TIMES, root),
+                 PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_FORCE_EFFORT, spring, PDN_ALL_COMPONENTS),
+                                     times, TIMES, effort),
                  PDN_OK);
 
     line = text_of("test_files.csv");
@@ -167,11 +183,13 @@ static void a_saved_solution(const pdn_model *model, pdn_solution *solution)
     char report[2][2048];
     CHECK_STATUS(pdn_solution_save(solution, "test_files.pdn"), PDN_OK);
     CHECK_STATUS(pdn_solution_sample(solution,
-                                     ASK(PDN_BEAM_FORCE, beam.first_element, .station = 0.3), times,
-                                     TIMES, before),
+                                     PDN_QUANTITY(PDN_BEAM_FORCE, beam.first_element,
+                                                  PDN_ALL_COMPONENTS, .station = 0.3),
+                                     times, TIMES, before),
                  PDN_OK);
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_NODE_ACCELERATION, beam.last), times, TIMES,
-                                     before + 6 * TIMES),
+    CHECK_STATUS(pdn_solution_sample(
+                     solution, PDN_QUANTITY(PDN_NODE_ACCELERATION, beam.last, PDN_ALL_COMPONENTS),
+                     times, TIMES, before + 6 * TIMES),
                  PDN_OK);
     CHECK(pdn_solution_report(solution, report[0], sizeof report[0]) < sizeof report[0]);
     pdn_solution_free(solution);
@@ -179,11 +197,13 @@ static void a_saved_solution(const pdn_model *model, pdn_solution *solution)
     CHECK_STATUS(pdn_solution_load("test_files.pdn", &loaded), PDN_OK);
     CHECK(pdn_solution_outcome(loaded) == PDN_CONVERGED);
     CHECK_STATUS(pdn_solution_sample(loaded,
-                                     ASK(PDN_BEAM_FORCE, beam.first_element, .station = 0.3), times,
-                                     TIMES, after),
+                                     PDN_QUANTITY(PDN_BEAM_FORCE, beam.first_element,
+                                                  PDN_ALL_COMPONENTS, .station = 0.3),
+                                     times, TIMES, after),
                  PDN_OK);
-    CHECK_STATUS(pdn_solution_sample(loaded, ASK(PDN_NODE_ACCELERATION, beam.last), times, TIMES,
-                                     after + 6 * TIMES),
+    CHECK_STATUS(pdn_solution_sample(
+                     loaded, PDN_QUANTITY(PDN_NODE_ACCELERATION, beam.last, PDN_ALL_COMPONENTS),
+                     times, TIMES, after + 6 * TIMES),
                  PDN_OK);
     CHECK(memcmp(before, after, sizeof before) == 0);
     CHECK(pdn_solution_report(loaded, report[1], sizeof report[1]) < sizeof report[1]);

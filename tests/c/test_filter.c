@@ -40,24 +40,26 @@ static void harmonics_are_weakened(void)
         double cosines[2][HARMONICS], sines[2][HARMONICS], position[2][3];
         const double time = 0.4;
         CHECK_STATUS(pdn_solution_filtered(plain, filter, 2, &filtered), PDN_OK);
-        CHECK_STATUS(pdn_solution_harmonics(plain,
-                                            ASK(PDN_JOINT_COORDINATE, slide, PDN_DISPLACEMENT),
-                                            HARMONICS, NULL, NULL, cosines[0], sines[0]),
+        CHECK_STATUS(pdn_solution_harmonics(
+                         plain, PDN_QUANTITY(PDN_JOINT_COORDINATE, slide, PDN_DISPLACEMENT),
+                         HARMONICS, NULL, NULL, cosines[0], sines[0]),
                      PDN_OK);
-        CHECK_STATUS(pdn_solution_harmonics(filtered,
-                                            ASK(PDN_JOINT_COORDINATE, slide, PDN_DISPLACEMENT),
-                                            HARMONICS, NULL, NULL, cosines[1], sines[1]),
+        CHECK_STATUS(pdn_solution_harmonics(
+                         filtered, PDN_QUANTITY(PDN_JOINT_COORDINATE, slide, PDN_DISPLACEMENT),
+                         HARMONICS, NULL, NULL, cosines[1], sines[1]),
                      PDN_OK);
         CHECK(fabs(cosines[0][0]) > 0.05);
         CHECK(fabs(cosines[1][0] - factor * cosines[0][0]) < 1e-14);
         CHECK(fabs(sines[1][0] - factor * sines[0][0]) < 1e-14);
         /* The same in the node's position: a pure translation. */
-        CHECK_STATUS(
-            pdn_solution_sample(plain, ASK(PDN_NODE_POSITION, body), &time, 1, position[0]),
-            PDN_OK);
-        CHECK_STATUS(
-            pdn_solution_sample(filtered, ASK(PDN_NODE_POSITION, body), &time, 1, position[1]),
-            PDN_OK);
+        CHECK_STATUS(pdn_solution_sample(plain,
+                                         PDN_QUANTITY(PDN_NODE_POSITION, body, PDN_ALL_COMPONENTS),
+                                         &time, 1, position[0]),
+                     PDN_OK);
+        CHECK_STATUS(pdn_solution_sample(filtered,
+                                         PDN_QUANTITY(PDN_NODE_POSITION, body, PDN_ALL_COMPONENTS),
+                                         &time, 1, position[1]),
+                     PDN_OK);
         CHECK(fabs(position[0][2]) > 0.01);
         CHECK(fabs(position[1][2] - factor * position[0][2]) < 1e-13);
         /* The solve is the same. */
@@ -71,14 +73,14 @@ static void harmonics_are_weakened(void)
         double first[HARMONICS], second[HARMONICS];
         CHECK_STATUS(pdn_solution_filtered(plain, PDN_FILTER_LANCZOS, 1, &filtered), PDN_OK);
         CHECK_STATUS(pdn_solution_filtered(filtered, PDN_FILTER_LANCZOS, 1, &again), PDN_OK);
-        CHECK_STATUS(pdn_solution_harmonics(filtered,
-                                            ASK(PDN_JOINT_COORDINATE, slide, PDN_DISPLACEMENT),
-                                            HARMONICS, NULL, NULL, first, NULL),
+        CHECK_STATUS(pdn_solution_harmonics(
+                         filtered, PDN_QUANTITY(PDN_JOINT_COORDINATE, slide, PDN_DISPLACEMENT),
+                         HARMONICS, NULL, NULL, first, NULL),
                      PDN_OK);
         pdn_solution_free(filtered);
-        CHECK_STATUS(pdn_solution_harmonics(again,
-                                            ASK(PDN_JOINT_COORDINATE, slide, PDN_DISPLACEMENT),
-                                            HARMONICS, NULL, NULL, second, NULL),
+        CHECK_STATUS(pdn_solution_harmonics(
+                         again, PDN_QUANTITY(PDN_JOINT_COORDINATE, slide, PDN_DISPLACEMENT),
+                         HARMONICS, NULL, NULL, second, NULL),
                      PDN_OK);
         CHECK(memcmp(first, second, sizeof first) == 0);
         pdn_solution_free(again);

@@ -87,13 +87,15 @@ static void check_on_body(int32_t force, const double *along)
 {
     double wrench[6 * TIMES], own[6 * TIMES];
     int i, k;
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_FORCE_ON_NODE, force, .node = body), times,
-                                     TIMES, wrench),
-                 PDN_OK);
     CHECK_STATUS(pdn_solution_sample(
                      solution,
-                     ASK(PDN_FORCE_ON_NODE, force, .node = body, .frame = PDN_FRAME_MATERIAL),
-                     times, TIMES, own),
+                     PDN_QUANTITY(PDN_FORCE_ON_NODE, force, PDN_ALL_COMPONENTS, .node = body),
+                     times, TIMES, wrench),
+                 PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_FORCE_ON_NODE, force, PDN_ALL_COMPONENTS,
+                                                  .node = body, .frame = PDN_FRAME_MATERIAL),
+                                     times, TIMES, own),
                  PDN_OK);
     for (i = 0; i < TIMES; i++)
         for (k = 0; k < 3; k++) {
@@ -118,10 +120,12 @@ static void check_oscillation(double rest)
 {
     double u[TIMES], v[TIMES];
     int i;
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_COORDINATE, joint, PDN_DISPLACEMENT),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_JOINT_COORDINATE, joint, PDN_DISPLACEMENT),
                                      times, TIMES, u),
                  PDN_OK);
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_RATE, joint, PDN_DISPLACEMENT), times,
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_JOINT_RATE, joint, PDN_DISPLACEMENT), times,
                                      TIMES, v),
                  PDN_OK);
     for (i = 0; i < TIMES; i++) {
@@ -151,14 +155,17 @@ static void an_actuator_drives_an_oscillator(void)
     check_force_count(2);
     solve();
     check_oscillation(rest);
-    CHECK_STATUS(
-        pdn_solution_sample(solution, ASK(PDN_FORCE_EFFORT, actuator), times, TIMES, effort),
-        PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_FORCE_EFFORT, actuator, PDN_ALL_COMPONENTS),
+                                     times, TIMES, effort),
+                 PDN_OK);
     for (i = 0; i < TIMES; i++)
         CHECK_NEAR(effort[i], along[i] = FORCE * cos(OMEGA * times[i]), 1e-10);
     check_on_body(actuator, along);
     /* The spring's effort is against growth: its force on the body is the opposite. */
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_FORCE_EFFORT, spring), times, TIMES, effort),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_FORCE_EFFORT, spring, PDN_ALL_COMPONENTS),
+                                     times, TIMES, effort),
                  PDN_OK);
     for (i = 0; i < TIMES; i++) {
         double rate;
@@ -167,8 +174,9 @@ static void an_actuator_drives_an_oscillator(void)
         along[i] = -effort[i];
     }
     check_on_body(spring, along);
-    CHECK_STATUS(pdn_solution_harmonics(solution, ASK(PDN_FORCE_EFFORT, actuator), 2, &mean, &slope,
-                                        cosines, sines),
+    CHECK_STATUS(pdn_solution_harmonics(
+                     solution, PDN_QUANTITY(PDN_FORCE_EFFORT, actuator, PDN_ALL_COMPONENTS), 2,
+                     &mean, &slope, cosines, sines),
                  PDN_OK);
     CHECK_NEAR(mean, 0, 1e-12);
     CHECK_NEAR(slope, 0, 1e-12);
@@ -195,7 +203,9 @@ static void polynomials_are_those_of_coordinate_and_rate(void)
                  PDN_OK);
     check_force_count(2);
     solve();
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_FORCE_EFFORT, force), times, TIMES, effort),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_FORCE_EFFORT, force, PDN_ALL_COMPONENTS),
+                                     times, TIMES, effort),
                  PDN_OK);
     for (i = 0; i < TIMES; i++) {
         const double c = cos(OMEGA * times[i]), s = sin(OMEGA * times[i]);
@@ -204,9 +214,10 @@ static void polynomials_are_those_of_coordinate_and_rate(void)
         along[i] = -effort[i];
     }
     check_on_body(force, along);
-    CHECK_STATUS(
-        pdn_solution_sample(solution, ASK(PDN_FORCE_EFFORT, FORCE(1)), times, TIMES, effort),
-        PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_FORCE_EFFORT, FORCE(1), PDN_ALL_COMPONENTS),
+                                     times, TIMES, effort),
+                 PDN_OK);
     for (i = 0; i < TIMES; i++)
         CHECK(effort[i] == 0.0);
     end();
@@ -231,11 +242,14 @@ static void maxwell_branches_relax(void)
         total[i] = stiffness * (swing * cos(OMEGA * times[i]) - rest);
     for (b = 0; b < 2; b++) {
         const double wt = OMEGA * relaxation[b], size = swing * wt / (1 + wt * wt);
-        CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_FORCE_BRANCH_EFFORT, force, .branch = b),
+        CHECK_STATUS(pdn_solution_sample(solution,
+                                         PDN_QUANTITY(PDN_FORCE_BRANCH_EFFORT, force,
+                                                      PDN_ALL_COMPONENTS, .branch = b),
                                          times, TIMES, branch),
                      PDN_OK);
         CHECK_STATUS(pdn_solution_sample(solution,
-                                         ASK(PDN_FORCE_BRANCH_ELONGATION, force, .branch = b),
+                                         PDN_QUANTITY(PDN_FORCE_BRANCH_ELONGATION, force,
+                                                      PDN_ALL_COMPONENTS, .branch = b),
                                          times, TIMES, dashpot),
                      PDN_OK);
         for (i = 0; i < TIMES; i++) {
@@ -250,20 +264,24 @@ static void maxwell_branches_relax(void)
             total[i] += branch_stiffness[b] * a;
         }
         CHECK_STATUS(pdn_solution_harmonics(solution,
-                                            ASK(PDN_FORCE_BRANCH_EFFORT, force, .branch = b), 1,
-                                            &mean, &slope, &cosine, &sine),
+                                            PDN_QUANTITY(PDN_FORCE_BRANCH_EFFORT, force,
+                                                         PDN_ALL_COMPONENTS, .branch = b),
+                                            1, &mean, &slope, &cosine, &sine),
                      PDN_OK);
         CHECK_NEAR(mean, 0, 1e-10);
         CHECK_NEAR(cosine, branch_stiffness[b] * size * wt, 1e-10);
         CHECK_NEAR(sine, -branch_stiffness[b] * size, 1e-10);
         CHECK_STATUS(pdn_solution_harmonics(solution,
-                                            ASK(PDN_FORCE_BRANCH_ELONGATION, force, .branch = b), 1,
-                                            &mean, &slope, &cosine, &sine),
+                                            PDN_QUANTITY(PDN_FORCE_BRANCH_ELONGATION, force,
+                                                         PDN_ALL_COMPONENTS, .branch = b),
+                                            1, &mean, &slope, &cosine, &sine),
                      PDN_OK);
         CHECK_NEAR(cosine, swing - size * wt, 1e-10);
         CHECK_NEAR(sine, size, 1e-10);
     }
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_FORCE_EFFORT, force), times, TIMES, effort),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_FORCE_EFFORT, force, PDN_ALL_COMPONENTS),
+                                     times, TIMES, effort),
                  PDN_OK);
     for (i = 0; i < TIMES; i++) {
         CHECK_NEAR(effort[i], total[i], 1e-10);
@@ -295,31 +313,37 @@ static void a_damper_resists_by_its_matrix(void)
                  PDN_OK);
     CHECK(own == FORCE(0) && other == FORCE(1));
     solve();
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_FORCE_ON_NODE, own, .node = body), times,
-                                     TIMES, wrench),
-                 PDN_OK);
+    CHECK_STATUS(
+        pdn_solution_sample(solution,
+                            PDN_QUANTITY(PDN_FORCE_ON_NODE, own, PDN_ALL_COMPONENTS, .node = body),
+                            times, TIMES, wrench),
+        PDN_OK);
     for (i = 0; i < TIMES; i++)
         for (k = 0; k < 6; k++)
             CHECK_NEAR(wrench[6 * i + k], -matrix[k] * 0.4 * OMEGA * cos(OMEGA * times[i]), 1e-9);
-    CHECK_STATUS(pdn_solution_harmonics(solution, ASK(PDN_FORCE_ON_NODE, own, .node = body), 1,
-                                        mean, slope, harmonics, sines),
+    CHECK_STATUS(pdn_solution_harmonics(
+                     solution,
+                     PDN_QUANTITY(PDN_FORCE_ON_NODE, own, PDN_ALL_COMPONENTS, .node = body), 1,
+                     mean, slope, harmonics, sines),
                  PDN_OK);
     for (k = 0; k < 6; k++) {
         CHECK_NEAR(mean[k], 0, 1e-9);
         CHECK_NEAR(harmonics[k], -matrix[k] * 0.4 * OMEGA, 1e-9);
         CHECK_NEAR(sines[k], 0, 1e-9);
     }
-    CHECK_STATUS(pdn_solution_harmonics(
-                     solution,
-                     ASK(PDN_FORCE_ON_NODE, own, .node = body, .frame = PDN_FRAME_MATERIAL), 1,
-                     mean, slope, harmonics, sines),
+    CHECK_STATUS(pdn_solution_harmonics(solution,
+                                        PDN_QUANTITY(PDN_FORCE_ON_NODE, own, PDN_ALL_COMPONENTS,
+                                                     .node = body, .frame = PDN_FRAME_MATERIAL),
+                                        1, mean, slope, harmonics, sines),
                  PDN_OK);
     for (k = 0; k < 6; k++)
         CHECK_NEAR(harmonics[k], -matrix[k] * 0.4 * OMEGA, 1e-9);
     /* The frame is fixed to the ground here, and the body passes over it: the wrench at its origin
      * is the matrix' column of axis 2, and the body's moment is about where the body is. */
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_FORCE_ON_NODE, other, .node = body), times,
-                                     TIMES, wrench),
+    CHECK_STATUS(pdn_solution_sample(
+                     solution,
+                     PDN_QUANTITY(PDN_FORCE_ON_NODE, other, PDN_ALL_COMPONENTS, .node = body),
+                     times, TIMES, wrench),
                  PDN_OK);
     for (i = 0; i < TIMES; i++) {
         const double v = 0.4 * OMEGA * cos(OMEGA * times[i]), u = 0.4 * sin(OMEGA * times[i]);
@@ -371,9 +395,10 @@ static void a_law_is_the_users(void)
         solve();
         check_oscillation(0);
         CHECK(law.calls > 0);
-        CHECK_STATUS(
-            pdn_solution_sample(solution, ASK(PDN_FORCE_EFFORT, force), times, TIMES, effort),
-            PDN_OK);
+        CHECK_STATUS(pdn_solution_sample(solution,
+                                         PDN_QUANTITY(PDN_FORCE_EFFORT, force, PDN_ALL_COMPONENTS),
+                                         times, TIMES, effort),
+                     PDN_OK);
         for (i = 0; i < TIMES; i++) {
             double rate;
             const double u = response(MASS, DAMPING, STIFFNESS, FORCE, times[i], &rate);
@@ -385,9 +410,10 @@ static void a_law_is_the_users(void)
         /* The solution keeps it, whatever becomes of the model. */
         pdn_model_free(model);
         CHECK(law.destroyed == 0);
-        CHECK_STATUS(
-            pdn_solution_sample(solution, ASK(PDN_FORCE_EFFORT, force), times, TIMES, effort),
-            PDN_OK);
+        CHECK_STATUS(pdn_solution_sample(solution,
+                                         PDN_QUANTITY(PDN_FORCE_EFFORT, force, PDN_ALL_COMPONENTS),
+                                         times, TIMES, effort),
+                     PDN_OK);
         pdn_solution_free(solution);
         CHECK(law.destroyed == 1);
     }
@@ -485,8 +511,9 @@ static void forces_on_two_nodes_are_the_users(void)
         }
         check_on_body(FORCE(0), along);
         CHECK_STATUS(pdn_solution_sample(solution,
-                                         ASK(PDN_FORCE_ON_NODE, FORCE(0), .node = NODE(1)), times,
-                                         TIMES, wrench),
+                                         PDN_QUANTITY(PDN_FORCE_ON_NODE, FORCE(0),
+                                                      PDN_ALL_COMPONENTS, .node = NODE(1)),
+                                         times, TIMES, wrench),
                      PDN_OK);
         for (i = 0; i < TIMES; i++)
             CHECK_NEAR(wrench[6 * i], -along[i] * AXIS[0], 1e-9);
@@ -545,16 +572,19 @@ static void moments_may_follow_a_node(void)
                                           own_moment, &law, NULL, NULL),
                  PDN_OK);
     solve();
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_COORDINATE, joint, PDN_ROTATION),
-                                     times, TIMES, angle),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_JOINT_COORDINATE, joint, PDN_ROTATION), times,
+                                     TIMES, angle),
+                 PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_FORCE_ON_NODE, FORCE(0), PDN_ALL_COMPONENTS,
+                                                  .node = body, .frame = PDN_FRAME_MATERIAL),
+                                     times, TIMES, own),
                  PDN_OK);
     CHECK_STATUS(pdn_solution_sample(
                      solution,
-                     ASK(PDN_FORCE_ON_NODE, FORCE(0), .node = body, .frame = PDN_FRAME_MATERIAL),
-                     times, TIMES, own),
-                 PDN_OK);
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_FORCE_ON_NODE, FORCE(0), .node = body),
-                                     times, TIMES, space),
+                     PDN_QUANTITY(PDN_FORCE_ON_NODE, FORCE(0), PDN_ALL_COMPONENTS, .node = body),
+                     times, TIMES, space),
                  PDN_OK);
     for (i = 0; i < TIMES; i++) {
         double rate, moment;

@@ -510,7 +510,8 @@ static void readings(void)
 
     /* Those that take a force, times and a place for values. */
 #define WITH(solution, times, count, values)                                                       \
-    pdn_solution_sample(solution, ASK(PDN_FORCE_EFFORT, in.force), times, count, values)
+    pdn_solution_sample(solution, PDN_QUANTITY(PDN_FORCE_EFFORT, in.force, PDN_ALL_COMPONENTS),    \
+                        times, count, values)
 #define REFUSES_BAD_SAMPLES                                                                        \
     do {                                                                                           \
         REFUSES_NULL(WITH(NULL, t, 2, out.values), "solution");                                    \
@@ -527,8 +528,10 @@ static void readings(void)
 #undef WITH
 
 #define WITH(solution, times, count, values)                                                       \
-    pdn_solution_sample(solution, ASK(PDN_FORCE_BRANCH_EFFORT, in.force, .branch = in.place),      \
-                        times, count, values)
+    pdn_solution_sample(                                                                           \
+        solution,                                                                                  \
+        PDN_QUANTITY(PDN_FORCE_BRANCH_EFFORT, in.force, PDN_ALL_COMPONENTS, .branch = in.place),   \
+        times, count, values)
     in.force = FORCE(2);
     REFUSES_BAD_SAMPLES;
     REFUSES_IDS(in.place, negative, WITH(good, t, 2, out.values), "quantity.branch");
@@ -539,7 +542,9 @@ static void readings(void)
 #undef WITH
 
 #define WITH(solution, times, count, values)                                                       \
-    pdn_solution_sample(solution, ASK(PDN_FORCE_BRANCH_ELONGATION, in.force, .branch = in.place),  \
+    pdn_solution_sample(solution,                                                                  \
+                        PDN_QUANTITY(PDN_FORCE_BRANCH_ELONGATION, in.force, PDN_ALL_COMPONENTS,    \
+                                     .branch = in.place),                                          \
                         times, count, values)
     in.force = FORCE(2);
     REFUSES_BAD_SAMPLES;
@@ -552,7 +557,8 @@ static void readings(void)
 
 #define WITH(solution, times, count, values)                                                       \
     pdn_solution_sample(solution,                                                                  \
-                        ASK(PDN_FORCE_ON_NODE, in.force, .node = in.place, .frame = in.axes),      \
+                        PDN_QUANTITY(PDN_FORCE_ON_NODE, in.force, PDN_ALL_COMPONENTS,              \
+                                     .node = in.place, .frame = in.axes),                          \
                         times, count, values)
     in.force = FORCE(0);
     in.place = in.node;

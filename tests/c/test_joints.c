@@ -103,22 +103,23 @@ static void check_wave(int32_t coordinate, struct wave w)
     const pdn_solution *const s = rig.solution;
     double q[TIMES], v[TIMES], a[TIMES], mean, slope, cosines[2], sines[2];
     int i;
-    CHECK_STATUS(
-        pdn_solution_sample(s, ASK(PDN_JOINT_COORDINATE, rig.joint, coordinate), times, TIMES, q),
-        PDN_OK);
-    CHECK_STATUS(
-        pdn_solution_sample(s, ASK(PDN_JOINT_RATE, rig.joint, coordinate), times, TIMES, v),
-        PDN_OK);
-    CHECK_STATUS(
-        pdn_solution_sample(s, ASK(PDN_JOINT_ACCELERATION, rig.joint, coordinate), times, TIMES, a),
-        PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(s, PDN_QUANTITY(PDN_JOINT_COORDINATE, rig.joint, coordinate),
+                                     times, TIMES, q),
+                 PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(s, PDN_QUANTITY(PDN_JOINT_RATE, rig.joint, coordinate), times,
+                                     TIMES, v),
+                 PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(s, PDN_QUANTITY(PDN_JOINT_ACCELERATION, rig.joint, coordinate),
+                                     times, TIMES, a),
+                 PDN_OK);
     for (i = 0; i < TIMES; i++) {
         CHECK_NEAR(q[i], value(w, times[i]), 1e-10);
         CHECK_NEAR(v[i], rate(w, times[i]), 1e-9);
         CHECK_NEAR(a[i], acceleration(w, times[i]), 1e-8);
     }
-    CHECK_STATUS(pdn_solution_harmonics(s, ASK(PDN_JOINT_COORDINATE, rig.joint, coordinate), 2,
-                                        &mean, &slope, cosines, sines),
+    CHECK_STATUS(pdn_solution_harmonics(s,
+                                        PDN_QUANTITY(PDN_JOINT_COORDINATE, rig.joint, coordinate),
+                                        2, &mean, &slope, cosines, sines),
                  PDN_OK);
     CHECK_NEAR(mean, w.mean, 1e-10);
     CHECK_NEAR(slope, w.rate, 1e-10);
@@ -131,30 +132,33 @@ static void check_wave(int32_t coordinate, struct wave w)
 static void driving_effort(int32_t coordinate, double *effort)
 {
     CHECK_STATUS(pdn_solution_sample(rig.solution,
-                                     ASK(PDN_JOINT_DRIVING_EFFORT, rig.joint, coordinate), times,
-                                     TIMES, effort),
+                                     PDN_QUANTITY(PDN_JOINT_DRIVING_EFFORT, rig.joint, coordinate),
+                                     times, TIMES, effort),
                  PDN_OK);
 }
 
 static void reaction(double *wrench)
 {
-    CHECK_STATUS(
-        pdn_solution_sample(rig.solution, ASK(PDN_JOINT_REACTION, rig.joint), times, TIMES, wrench),
-        PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(
+                     rig.solution, PDN_QUANTITY(PDN_JOINT_REACTION, rig.joint, PDN_ALL_COMPONENTS),
+                     times, TIMES, wrench),
+                 PDN_OK);
 }
 
 static void position(double *at)
 {
-    CHECK_STATUS(
-        pdn_solution_sample(rig.solution, ASK(PDN_NODE_POSITION, rig.body), times, TIMES, at),
-        PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(rig.solution,
+                                     PDN_QUANTITY(PDN_NODE_POSITION, rig.body, PDN_ALL_COMPONENTS),
+                                     times, TIMES, at),
+                 PDN_OK);
 }
 
 /* Coordinates that the joint does not have cannot be read. */
 static void check_absent(int32_t coordinate)
 {
     double q[TIMES];
-    CHECK_STATUS(pdn_solution_sample(rig.solution, ASK(PDN_JOINT_COORDINATE, rig.joint, coordinate),
+    CHECK_STATUS(pdn_solution_sample(rig.solution,
+                                     PDN_QUANTITY(PDN_JOINT_COORDINATE, rig.joint, coordinate),
                                      times, TIMES, q),
                  PDN_ERR_NOT_AVAILABLE);
     CHECK_MESSAGE("coordinate: expected one of a ");
@@ -387,16 +391,19 @@ static void check_power_of_angles(int count)
     for (k = 0; k < count; k++) {
         driving_effort(PDN_ROTATION + k, drive[k]);
         CHECK_STATUS(pdn_solution_sample(rig.solution,
-                                         ASK(PDN_JOINT_RATE, rig.joint, PDN_ROTATION + k), times,
-                                         TIMES, speed[k]),
+                                         PDN_QUANTITY(PDN_JOINT_RATE, rig.joint, PDN_ROTATION + k),
+                                         times, TIMES, speed[k]),
                      PDN_OK);
     }
-    CHECK_STATUS(
-        pdn_solution_sample(rig.solution, ASK(PDN_NODE_VELOCITY, rig.body), times, TIMES, velocity),
-        PDN_OK);
-    CHECK_STATUS(pdn_solution_sample(rig.solution, ASK(PDN_NODE_ACCELERATION, rig.body), times,
-                                     TIMES, gained),
+    CHECK_STATUS(pdn_solution_sample(rig.solution,
+                                     PDN_QUANTITY(PDN_NODE_VELOCITY, rig.body, PDN_ALL_COMPONENTS),
+                                     times, TIMES, velocity),
                  PDN_OK);
+    CHECK_STATUS(
+        pdn_solution_sample(rig.solution,
+                            PDN_QUANTITY(PDN_NODE_ACCELERATION, rig.body, PDN_ALL_COMPONENTS),
+                            times, TIMES, gained),
+        PDN_OK);
     for (i = 0; i < TIMES; i++) {
         double power = 0;
         for (k = 0; k < count; k++)
@@ -422,9 +429,10 @@ static void a_universal_turns_about_two_arms(void)
     check_absent(PDN_ROTATION_3);
     check_power_of_angles(2);
     reaction(wrench);
-    CHECK_STATUS(
-        pdn_solution_sample(rig.solution, ASK(PDN_NODE_ROTATION, rig.body), times, TIMES, rotation),
-        PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(rig.solution,
+                                     PDN_QUANTITY(PDN_NODE_ROTATION, rig.body, PDN_ALL_COMPONENTS),
+                                     times, TIMES, rotation),
+                 PDN_OK);
     for (i = 0; i < TIMES; i++) {
         /* The second arm, fixed to the body, turns about the first. */
         double arm[3];
@@ -544,12 +552,13 @@ static void a_strut_moves_a_slider(void)
     driving_effort(PDN_DISPLACEMENT, drive);
     reaction(wrench);
     CHECK_STATUS(pdn_solution_sample(rig.solution,
-                                     ASK(PDN_JOINT_COORDINATE, slider, PDN_DISPLACEMENT), times,
-                                     TIMES, x),
+                                     PDN_QUANTITY(PDN_JOINT_COORDINATE, slider, PDN_DISPLACEMENT),
+                                     times, TIMES, x),
                  PDN_OK);
-    CHECK_STATUS(
-        pdn_solution_sample(rig.solution, ASK(PDN_JOINT_REACTION, slider), times, TIMES, hold),
-        PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(rig.solution,
+                                     PDN_QUANTITY(PDN_JOINT_REACTION, slider, PDN_ALL_COMPONENTS),
+                                     times, TIMES, hold),
+                 PDN_OK);
     for (i = 0; i < TIMES; i++) {
         const double t = times[i], l = value(length, t), v = rate(length, t);
         const double reach = sqrt(l * l - height * height);
@@ -574,10 +583,11 @@ static void sample(const int32_t *coordinates, int count, double *to)
 {
     int k;
     for (k = 0; k < count; k++, to += TIMES)
-        CHECK_STATUS(pdn_solution_sample(rig.solution,
-                                         ASK(PDN_JOINT_COORDINATE, rig.joint, coordinates[k]),
-                                         times, TIMES, to),
-                     PDN_OK);
+        CHECK_STATUS(
+            pdn_solution_sample(rig.solution,
+                                PDN_QUANTITY(PDN_JOINT_COORDINATE, rig.joint, coordinates[k]),
+                                times, TIMES, to),
+            PDN_OK);
     reaction(to);
 }
 
@@ -683,11 +693,13 @@ static void reactions_are_resolved_in_either_frame(void)
     solve();
     reaction(space);
     CHECK_STATUS(pdn_solution_sample(rig.solution,
-                                     ASK(PDN_JOINT_REACTION, rig.joint, .frame = PDN_FRAME_FIRST),
+                                     PDN_QUANTITY(PDN_JOINT_REACTION, rig.joint, PDN_ALL_COMPONENTS,
+                                                  .frame = PDN_FRAME_FIRST),
                                      times, TIMES, first),
                  PDN_OK);
     CHECK_STATUS(pdn_solution_sample(rig.solution,
-                                     ASK(PDN_JOINT_REACTION, rig.joint, .frame = PDN_FRAME_SECOND),
+                                     PDN_QUANTITY(PDN_JOINT_REACTION, rig.joint, PDN_ALL_COMPONENTS,
+                                                  .frame = PDN_FRAME_SECOND),
                                      times, TIMES, second),
                  PDN_OK);
     for (i = 0; i < TIMES; i++)

@@ -71,19 +71,22 @@ static double error_of(const pdn_solution *solution, double x0, double v0)
     for (i = 0; i <= 150; i++) {
         const double time = 0.04 * i;
         double x, rate, position[3], velocity[6];
-        CHECK_STATUS(pdn_solution_sample(solution,
-                                         ASK(PDN_JOINT_COORDINATE, slide, PDN_DISPLACEMENT), &time,
-                                         1, &x),
+        CHECK_STATUS(pdn_solution_sample(
+                         solution, PDN_QUANTITY(PDN_JOINT_COORDINATE, slide, PDN_DISPLACEMENT),
+                         &time, 1, &x),
                      PDN_OK);
-        CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_RATE, slide, PDN_DISPLACEMENT),
+        CHECK_STATUS(pdn_solution_sample(solution,
+                                         PDN_QUANTITY(PDN_JOINT_RATE, slide, PDN_DISPLACEMENT),
                                          &time, 1, &rate),
                      PDN_OK);
-        CHECK_STATUS(
-            pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, body), &time, 1, position),
-            PDN_OK);
-        CHECK_STATUS(
-            pdn_solution_sample(solution, ASK(PDN_NODE_VELOCITY, body), &time, 1, velocity),
-            PDN_OK);
+        CHECK_STATUS(pdn_solution_sample(solution,
+                                         PDN_QUANTITY(PDN_NODE_POSITION, body, PDN_ALL_COMPONENTS),
+                                         &time, 1, position),
+                     PDN_OK);
+        CHECK_STATUS(pdn_solution_sample(solution,
+                                         PDN_QUANTITY(PDN_NODE_VELOCITY, body, PDN_ALL_COMPONENTS),
+                                         &time, 1, velocity),
+                     PDN_OK);
         CHECK(fabs(position[2] - x) < 1e-13 && fabs(velocity[2] - rate) < 1e-12);
         worst = fmax(worst, fabs(x - exact(x0, v0, time)));
     }
@@ -118,11 +121,13 @@ static void trajectories(void)
     CHECK(pdn_solution_report(solution, report, sizeof report) > 0);
     CHECK(strncmp(report, "March: converged", 16) == 0);
     /* No harmonics, and nothing beyond the end. */
-    CHECK_STATUS(
-        pdn_solution_harmonics(solution, ASK(PDN_NODE_POSITION, body), 0, &mean, NULL, NULL, NULL),
-        PDN_ERR_NOT_AVAILABLE);
+    CHECK_STATUS(pdn_solution_harmonics(solution,
+                                        PDN_QUANTITY(PDN_NODE_POSITION, body, PDN_ALL_COMPONENTS),
+                                        0, &mean, NULL, NULL, NULL),
+                 PDN_ERR_NOT_AVAILABLE);
     CHECK_MESSAGE("a trajectory has no harmonics");
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_COORDINATE, slide, PDN_DISPLACEMENT),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_JOINT_COORDINATE, slide, PDN_DISPLACEMENT),
                                      &late, 1, &x),
                  PDN_ERR_VALUE);
     CHECK_MESSAGE("times: expected times of the trajectory, from 0 to 6, got 6.001");
@@ -143,7 +148,8 @@ static void trajectories(void)
     CHECK_STATUS(pdn_solution_grid_times(next, times, 201), PDN_OK);
     CHECK(times[0] == 6 && times[200] == 7);
     x = 0;
-    CHECK_STATUS(pdn_solution_sample(next, ASK(PDN_JOINT_COORDINATE, slide, PDN_DISPLACEMENT),
+    CHECK_STATUS(pdn_solution_sample(next,
+                                     PDN_QUANTITY(PDN_JOINT_COORDINATE, slide, PDN_DISPLACEMENT),
                                      &times[200], 1, &x),
                  PDN_OK);
     CHECK(fabs(x - exact(0, 0, 7)) < 1e-4);
@@ -161,13 +167,14 @@ static void trajectories(void)
     CHECK_STATUS(pdn_solve_march(model, &in.options, &solution), PDN_OK);
     {
         double kept, other;
-        CHECK_STATUS(pdn_solution_sample(solution,
-                                         ASK(PDN_JOINT_COORDINATE, slide, PDN_DISPLACEMENT), &end,
-                                         1, &kept),
+        CHECK_STATUS(pdn_solution_sample(
+                         solution, PDN_QUANTITY(PDN_JOINT_COORDINATE, slide, PDN_DISPLACEMENT),
+                         &end, 1, &kept),
                      PDN_OK);
-        CHECK_STATUS(pdn_solution_sample(next, ASK(PDN_JOINT_COORDINATE, slide, PDN_DISPLACEMENT),
-                                         &end, 1, &other),
-                     PDN_OK);
+        CHECK_STATUS(
+            pdn_solution_sample(next, PDN_QUANTITY(PDN_JOINT_COORDINATE, slide, PDN_DISPLACEMENT),
+                                &end, 1, &other),
+            PDN_OK);
         CHECK(fabs(kept - other) < 1e-4);
     }
     pdn_solution_free(next);

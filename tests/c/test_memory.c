@@ -127,9 +127,10 @@ static void many_times(void)
     double *const times = calloc(count, sizeof *times);
     double *const values = malloc(4 * count * sizeof *values);
     CHECK(times != NULL && values != NULL);
-    CHECK_STATUS(
-        pdn_solution_sample(solution, ASK(PDN_NODE_QUATERNION, parts.body), times, count, values),
-        PDN_ERR_MEMORY);
+    CHECK_STATUS(pdn_solution_sample(
+                     solution, PDN_QUANTITY(PDN_NODE_QUATERNION, parts.body, PDN_ALL_COMPONENTS),
+                     times, count, values),
+                 PDN_ERR_MEMORY);
     CHECK_MESSAGE("values at these times: ");
     free(times);
     free(values);
@@ -141,8 +142,9 @@ static void many_harmonics(void)
     double *const values = malloc(9 * count * sizeof *values);
     double *const room = malloc(100 * MIB);
     CHECK(values != NULL && room != NULL);
-    CHECK_STATUS(pdn_solution_harmonics(solution, ASK(PDN_NODE_ROTATION, parts.body), count, NULL,
-                                        NULL, values, NULL),
+    CHECK_STATUS(pdn_solution_harmonics(
+                     solution, PDN_QUANTITY(PDN_NODE_ROTATION, parts.body, PDN_ALL_COMPONENTS),
+                     count, NULL, NULL, values, NULL),
                  PDN_ERR_MEMORY);
     CHECK_MESSAGE("harmonics: ");
     free(room);

@@ -74,7 +74,9 @@ static void at_rest(void)
     CHECK_STATUS(pdn_modes_shape(modes, 0, NULL, 0, NULL, NULL), PDN_OK);
 
     CHECK_STATUS(pdn_modes_equilibrium(modes, &still), PDN_OK);
-    CHECK_STATUS(pdn_solution_sample(still, ASK(PDN_NODE_POSITION, body), times, 1, position),
+    CHECK_STATUS(pdn_solution_sample(still,
+                                     PDN_QUANTITY(PDN_NODE_POSITION, body, PDN_ALL_COMPONENTS),
+                                     times, 1, position),
                  PDN_OK);
     CHECK(fabs(position[0]) < 1e-14 && fabs(position[2] + ARM) < 1e-14);
 
@@ -85,7 +87,8 @@ static void at_rest(void)
     pdn_modes_free(modes); /* solutions stay */
     period_time[0] = 0;
     period_time[1] = 0.5 / mode.frequency;
-    CHECK_STATUS(pdn_solution_sample(motion, ASK(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION),
+    CHECK_STATUS(pdn_solution_sample(motion,
+                                     PDN_QUANTITY(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION),
                                      period_time, 2, angle),
                  PDN_OK);
     CHECK(fabs(fabs(angle[0]) - 0.1 * fabs(real[4])) < 1e-12);

@@ -27,9 +27,10 @@ static void periodic(const pdn_model *model)
         options->grid_points = 7;
         CHECK_STATUS(pdn_solve_periodic(model, 2, options, &solution), PDN_OK);
         CHECK(pdn_solution_outcome(solution) == PDN_CONVERGED);
-        CHECK_STATUS(
-            pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, parts.body), &time, 1, position),
-            PDN_OK);
+        CHECK_STATUS(pdn_solution_sample(
+                         solution, PDN_QUANTITY(PDN_NODE_POSITION, parts.body, PDN_ALL_COMPONENTS),
+                         &time, 1, position),
+                     PDN_OK);
         if (i == 0) {
             memcpy(expected, position, sizeof expected);
         }

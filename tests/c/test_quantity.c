@@ -64,14 +64,19 @@ static void components_alone_are_parts_of_all(void)
         const pdn_quantity *asked;
         int32_t components;
     } cases[] = {
-        {ASK(PDN_NODE_POSITION, last), 3},
-        {ASK(PDN_NODE_ROTATION, last), 9},
-        {ASK(PDN_NODE_ACCELERATION, last, .frame = PDN_FRAME_MATERIAL), 6},
-        {ASK(PDN_JOINT_RATE, hinge, PDN_ROTATION), 1},
-        {ASK(PDN_JOINT_REACTION, hinge, .frame = PDN_FRAME_FIRST), 6},
-        {ASK(PDN_BEAM_FORCE, parts.beam.first_element, .station = -0.5), 6},
-        {ASK(PDN_FORCE_EFFORT, parts.spring), 1},
-        {ASK(PDN_FORCE_ON_NODE, parts.spring, .node = parts.body, .frame = PDN_FRAME_MATERIAL), 6},
+        {PDN_QUANTITY(PDN_NODE_POSITION, last, PDN_ALL_COMPONENTS), 3},
+        {PDN_QUANTITY(PDN_NODE_ROTATION, last, PDN_ALL_COMPONENTS), 9},
+        {PDN_QUANTITY(PDN_NODE_ACCELERATION, last, PDN_ALL_COMPONENTS, .frame = PDN_FRAME_MATERIAL),
+         6},
+        {PDN_QUANTITY(PDN_JOINT_RATE, hinge, PDN_ROTATION), 1},
+        {PDN_QUANTITY(PDN_JOINT_REACTION, hinge, PDN_ALL_COMPONENTS, .frame = PDN_FRAME_FIRST), 6},
+        {PDN_QUANTITY(PDN_BEAM_FORCE, parts.beam.first_element, PDN_ALL_COMPONENTS,
+                      .station = -0.5),
+         6},
+        {PDN_QUANTITY(PDN_FORCE_EFFORT, parts.spring, PDN_ALL_COMPONENTS), 1},
+        {PDN_QUANTITY(PDN_FORCE_ON_NODE, parts.spring, PDN_ALL_COMPONENTS, .node = parts.body,
+                      .frame = PDN_FRAME_MATERIAL),
+         6},
     };
     size_t c;
     for (c = 0; c < sizeof cases / sizeof *cases; ++c) {

@@ -83,8 +83,9 @@ static void solve(double positions[TIMES][3])
     options.linear_solver = PDN_LINEAR_DIRECT;
     CHECK_STATUS(pdn_solve_periodic(in.model, 1, &options, &solution), PDN_OK);
     CHECK(pdn_solution_outcome(solution) == PDN_CONVERGED);
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, in.nodes[1]), times, TIMES,
-                                     positions[0]),
+    CHECK_STATUS(pdn_solution_sample(
+                     solution, PDN_QUANTITY(PDN_NODE_POSITION, in.nodes[1], PDN_ALL_COMPONENTS),
+                     times, TIMES, positions[0]),
                  PDN_OK);
     pdn_solution_free(solution);
 }

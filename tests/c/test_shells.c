@@ -281,7 +281,9 @@ static void loads(void)
     CHECK_STATUS(pdn_solve_static(model, NULL, &solution), PDN_OK);
     CHECK(pdn_solution_outcome(solution) == PDN_CONVERGED);
     CHECK_STATUS(pdn_model_shell_patch_node(model, &shell, 6, 1, &node), PDN_OK);
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, node), &time, 1, position),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_NODE_POSITION, node, PDN_ALL_COMPONENTS),
+                                     &time, 1, position),
                  PDN_OK);
     CHECK_NEAR(position[0] - length, traction * length / (YOUNG * THICKNESS), 1e-11);
     stretched(solution, traction);
@@ -294,9 +296,10 @@ static void loads(void)
         CHECK_STATUS(pdn_model_set_shell_prestress(model, shell.first_element, 2, resultants),
                      PDN_OK);
         CHECK_STATUS(pdn_solve_static(model, NULL, &solution), PDN_OK);
-        CHECK_STATUS(
-            pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, node), &time, 1, position),
-            PDN_OK);
+        CHECK_STATUS(pdn_solution_sample(solution,
+                                         PDN_QUANTITY(PDN_NODE_POSITION, node, PDN_ALL_COMPONENTS),
+                                         &time, 1, position),
+                     PDN_OK);
         CHECK_NEAR(position[0], length, 1e-11);
         pdn_solution_free(solution);
     }
@@ -389,9 +392,10 @@ static void surface_forces(void)
         CHECK_STATUS(pdn_solve_static(model, NULL, &solution), PDN_OK);
         CHECK(pdn_solution_outcome(solution) == PDN_CONVERGED);
         CHECK_STATUS(pdn_model_shell_patch_node(model, &shell, 4, 0, &node), PDN_OK);
-        CHECK_STATUS(
-            pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, node), &time, 1, position),
-            PDN_OK);
+        CHECK_STATUS(pdn_solution_sample(solution,
+                                         PDN_QUANTITY(PDN_NODE_POSITION, node, PDN_ALL_COMPONENTS),
+                                         &time, 1, position),
+                     PDN_OK);
         heights[k] = position[2];
         pdn_solution_free(solution);
         pdn_model_free(model);
@@ -479,7 +483,9 @@ static void roll_up(void)
     CHECK_STATUS(pdn_solve_static(model, &options, &solution), PDN_OK);
     CHECK(pdn_solution_outcome(solution) == PDN_CONVERGED);
     CHECK_STATUS(pdn_model_shell_patch_node(model, &shell, 11, 0, &node), PDN_OK);
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, node), &time, 1, tip),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_NODE_POSITION, node, PDN_ALL_COMPONENTS),
+                                     &time, 1, tip),
                  PDN_OK);
     CHECK_NEAR(sqrt(tip[0] * tip[0] + tip[2] * tip[2]) / length, 1.72955e-8, 1e-11);
     pdn_solution_free(solution);

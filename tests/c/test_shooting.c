@@ -58,9 +58,9 @@ static void closed_form(void)
     for (i = 0; i <= 20; i++) {
         const double time = in.period * i / 20;
         double x;
-        CHECK_STATUS(pdn_solution_sample(solution,
-                                         ASK(PDN_JOINT_COORDINATE, slide, PDN_DISPLACEMENT), &time,
-                                         1, &x),
+        CHECK_STATUS(pdn_solution_sample(
+                         solution, PDN_QUANTITY(PDN_JOINT_COORDINATE, slide, PDN_DISPLACEMENT),
+                         &time, 1, &x),
                      PDN_OK);
         /* Second order: 200 steps leave some 1e-4 of the amplitude. */
         CHECK(fabs(x - amplitude * cos(OMEGA * time - lag)) < 3e-4 * amplitude);

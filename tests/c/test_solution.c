@@ -178,25 +178,36 @@ struct node_samples {
 static void sample_node(int32_t node, const double *at, struct node_samples *to)
 {
     const int32_t space = PDN_FRAME_SPACE, material = PDN_FRAME_MATERIAL;
-    CHECK_STATUS(
-        pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, node), at, TIMES, to->position),
-        PDN_OK);
-    CHECK_STATUS(
-        pdn_solution_sample(solution, ASK(PDN_NODE_ROTATION, node), at, TIMES, to->rotation),
-        PDN_OK);
-    CHECK_STATUS(
-        pdn_solution_sample(solution, ASK(PDN_NODE_QUATERNION, node), at, TIMES, to->quaternion),
-        PDN_OK);
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_NODE_VELOCITY, node, .frame = space), at,
-                                     TIMES, to->velocity),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_NODE_POSITION, node, PDN_ALL_COMPONENTS), at,
+                                     TIMES, to->position),
                  PDN_OK);
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_NODE_ACCELERATION, node, .frame = space), at,
-                                     TIMES, to->acceleration),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_NODE_ROTATION, node, PDN_ALL_COMPONENTS), at,
+                                     TIMES, to->rotation),
                  PDN_OK);
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_NODE_VELOCITY, node, .frame = material), at,
-                                     TIMES, to->material_velocity),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_NODE_QUATERNION, node, PDN_ALL_COMPONENTS),
+                                     at, TIMES, to->quaternion),
                  PDN_OK);
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_NODE_ACCELERATION, node, .frame = material),
+    CHECK_STATUS(pdn_solution_sample(
+                     solution,
+                     PDN_QUANTITY(PDN_NODE_VELOCITY, node, PDN_ALL_COMPONENTS, .frame = space), at,
+                     TIMES, to->velocity),
+                 PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(
+                     solution,
+                     PDN_QUANTITY(PDN_NODE_ACCELERATION, node, PDN_ALL_COMPONENTS, .frame = space),
+                     at, TIMES, to->acceleration),
+                 PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(
+                     solution,
+                     PDN_QUANTITY(PDN_NODE_VELOCITY, node, PDN_ALL_COMPONENTS, .frame = material),
+                     at, TIMES, to->material_velocity),
+                 PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_NODE_ACCELERATION, node, PDN_ALL_COMPONENTS,
+                                                  .frame = material),
                                      at, TIMES, to->material_acceleration),
                  PDN_OK);
 }
@@ -335,30 +346,45 @@ static void times_may_be_any(void)
     CHECK_STATUS(pdn_solution_grid_times(solution, grid, POINTS), PDN_OK);
     for (i = 0; i < POINTS; i++)
         CHECK_NEAR(grid[i], PERIOD * i / POINTS, 1e-15);
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, rotor), grid, POINTS, here),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_NODE_POSITION, rotor, PDN_ALL_COMPONENTS),
+                                     grid, POINTS, here),
                  PDN_OK);
     for (i = 0; i < POINTS; i++) {
-        CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, rotor), grid + i, 1, one),
+        CHECK_STATUS(pdn_solution_sample(solution,
+                                         PDN_QUANTITY(PDN_NODE_POSITION, rotor, PDN_ALL_COMPONENTS),
+                                         grid + i, 1, one),
                      PDN_OK);
         CHECK(memcmp(one, here + 3 * i, sizeof one) == 0);
         CHECK_NEAR(one[0], ARM * cos(turn(grid[i])), 1e-12); /* to rounding at grid points */
         grid[i] -= 1000 * PERIOD;
     }
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, rotor), grid, POINTS, there),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_NODE_POSITION, rotor, PDN_ALL_COMPONENTS),
+                                     grid, POINTS, there),
                  PDN_OK);
     for (k = 0; k < 3 * POINTS; k++)
         CHECK_NEAR(here[k], there[k], 1e-11);
 
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, rotor), NULL, 0, NULL),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_NODE_POSITION, rotor, PDN_ALL_COMPONENTS),
+                                     NULL, 0, NULL),
                  PDN_OK);
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, rotor), grid, 0, &canary),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_NODE_POSITION, rotor, PDN_ALL_COMPONENTS),
+                                     grid, 0, &canary),
                  PDN_OK);
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_COORDINATE, motor, PDN_ROTATION), NULL,
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_JOINT_COORDINATE, motor, PDN_ROTATION), NULL,
                                      0, NULL),
                  PDN_OK);
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_REACTION, motor), NULL, 0, NULL),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_JOINT_REACTION, motor, PDN_ALL_COMPONENTS),
+                                     NULL, 0, NULL),
                  PDN_OK);
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_BEAM_FORCE, BEAM_ELEMENT(0)), NULL, 0, NULL),
+    CHECK_STATUS(pdn_solution_sample(
+                     solution, PDN_QUANTITY(PDN_BEAM_FORCE, BEAM_ELEMENT(0), PDN_ALL_COMPONENTS),
+                     NULL, 0, NULL),
                  PDN_OK);
     CHECK(canary == 7);
 }
@@ -371,16 +397,19 @@ struct joint_samples {
 
 static void sample_joint(int32_t joint, int32_t coordinate, struct joint_samples *to)
 {
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_COORDINATE, joint, coordinate), times,
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_JOINT_COORDINATE, joint, coordinate), times,
                                      TIMES, to->coordinate),
                  PDN_OK);
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_RATE, joint, coordinate), times, TIMES,
-                                     to->rate),
+    CHECK_STATUS(pdn_solution_sample(solution, PDN_QUANTITY(PDN_JOINT_RATE, joint, coordinate),
+                                     times, TIMES, to->rate),
                  PDN_OK);
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_ACCELERATION, joint, coordinate),
-                                     times, TIMES, to->acceleration),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_JOINT_ACCELERATION, joint, coordinate), times,
+                                     TIMES, to->acceleration),
                  PDN_OK);
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_DRIVING_EFFORT, joint, coordinate),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_JOINT_DRIVING_EFFORT, joint, coordinate),
                                      times, TIMES, to->effort),
                  PDN_OK);
 }
@@ -416,22 +445,25 @@ static void the_ball_drives_three_angles(void)
             CHECK_NEAR(s.rate[i], w * TOP_SWING[k] * cos(w * times[i]), 1e-8);
             CHECK_NEAR(s.acceleration[i], -w * w * top_angle(k, times[i]), 1e-7);
         }
-        CHECK_STATUS(pdn_solution_sample(solution,
-                                         ASK(PDN_JOINT_DRIVING_EFFORT, ball, PDN_ROTATION + k),
-                                         grid, POINTS, effort),
+        CHECK_STATUS(pdn_solution_sample(
+                         solution, PDN_QUANTITY(PDN_JOINT_DRIVING_EFFORT, ball, PDN_ROTATION + k),
+                         grid, POINTS, effort),
                      PDN_OK);
-        CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_RATE, ball, PDN_ROTATION + k),
-                                         grid, POINTS, rate),
+        CHECK_STATUS(pdn_solution_sample(solution,
+                                         PDN_QUANTITY(PDN_JOINT_RATE, ball, PDN_ROTATION + k), grid,
+                                         POINTS, rate),
                      PDN_OK);
         for (i = 0; i < POINTS; i++)
             power[i] += effort[i] * rate[i];
     }
     CHECK_STATUS(pdn_solution_sample(solution,
-                                     ASK(PDN_NODE_VELOCITY, top, .frame = PDN_FRAME_MATERIAL), grid,
-                                     POINTS, velocity),
+                                     PDN_QUANTITY(PDN_NODE_VELOCITY, top, PDN_ALL_COMPONENTS,
+                                                  .frame = PDN_FRAME_MATERIAL),
+                                     grid, POINTS, velocity),
                  PDN_OK);
     CHECK_STATUS(pdn_solution_sample(solution,
-                                     ASK(PDN_NODE_ACCELERATION, top, .frame = PDN_FRAME_MATERIAL),
+                                     PDN_QUANTITY(PDN_NODE_ACCELERATION, top, PDN_ALL_COMPONENTS,
+                                                  .frame = PDN_FRAME_MATERIAL),
                                      grid, POINTS, acceleration),
                  PDN_OK);
     for (i = 0; i < POINTS; i++) {
@@ -450,17 +482,22 @@ static void reactions_are_those_of_newton(void)
     double space[6 * TIMES], first[6 * TIMES], second[6 * TIMES], rotation[9 * TIMES], axes[9];
     int i, k;
     joint_axes(axes);
-    CHECK_STATUS(
-        pdn_solution_sample(solution, ASK(PDN_NODE_ROTATION, rotor), times, TIMES, rotation),
-        PDN_OK);
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_REACTION, motor), times, TIMES, space),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_NODE_ROTATION, rotor, PDN_ALL_COMPONENTS),
+                                     times, TIMES, rotation),
                  PDN_OK);
     CHECK_STATUS(pdn_solution_sample(solution,
-                                     ASK(PDN_JOINT_REACTION, motor, .frame = PDN_FRAME_FIRST),
+                                     PDN_QUANTITY(PDN_JOINT_REACTION, motor, PDN_ALL_COMPONENTS),
+                                     times, TIMES, space),
+                 PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_JOINT_REACTION, motor, PDN_ALL_COMPONENTS,
+                                                  .frame = PDN_FRAME_FIRST),
                                      times, TIMES, first),
                  PDN_OK);
     CHECK_STATUS(pdn_solution_sample(solution,
-                                     ASK(PDN_JOINT_REACTION, motor, .frame = PDN_FRAME_SECOND),
+                                     PDN_QUANTITY(PDN_JOINT_REACTION, motor, PDN_ALL_COMPONENTS,
+                                                  .frame = PDN_FRAME_SECOND),
                                      times, TIMES, second),
                  PDN_OK);
     for (i = 0; i < TIMES; i++) {
@@ -490,10 +527,13 @@ static void reactions_are_those_of_newton(void)
 
     /* The ball carries the weight, and no moment. The clamp carries the moment on the beam's end.
      */
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_REACTION, ball), times, TIMES, space),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_JOINT_REACTION, ball, PDN_ALL_COMPONENTS),
+                                     times, TIMES, space),
                  PDN_OK);
     CHECK_STATUS(pdn_solution_sample(solution,
-                                     ASK(PDN_JOINT_REACTION, clamp, .frame = PDN_FRAME_FIRST),
+                                     PDN_QUANTITY(PDN_JOINT_REACTION, clamp, PDN_ALL_COMPONENTS,
+                                                  .frame = PDN_FRAME_FIRST),
                                      times, TIMES, first),
                  PDN_OK);
     for (i = 0; i < TIMES; i++) {
@@ -519,22 +559,30 @@ static void the_beam_bends_evenly(void)
     int i, k;
     for (element = BEAM_ELEMENT(0); element < BEAM_ELEMENT(beam.elements); element++) {
         for (s = 0; s < sizeof stations / sizeof *stations; s++) {
-            CHECK_STATUS(pdn_solution_sample(solution,
-                                             ASK(PDN_BEAM_STRAIN, element, .station = stations[s]),
-                                             times, TIMES, strain),
-                         PDN_OK);
-            CHECK_STATUS(pdn_solution_sample(solution,
-                                             ASK(PDN_BEAM_FORCE, element, .station = stations[s]),
-                                             times, TIMES, force),
-                         PDN_OK);
-            CHECK_STATUS(pdn_solution_sample(
-                             solution, ASK(PDN_BEAM_FORCE_MEAN, element, .station = stations[s]),
-                             times, TIMES, mean),
-                         PDN_OK);
-            CHECK_STATUS(pdn_solution_sample(
-                             solution, ASK(PDN_BEAM_FORCE_JUMP, element, .station = stations[s]),
-                             times, TIMES, jump),
-                         PDN_OK);
+            CHECK_STATUS(
+                pdn_solution_sample(solution,
+                                    PDN_QUANTITY(PDN_BEAM_STRAIN, element, PDN_ALL_COMPONENTS,
+                                                 .station = stations[s]),
+                                    times, TIMES, strain),
+                PDN_OK);
+            CHECK_STATUS(
+                pdn_solution_sample(solution,
+                                    PDN_QUANTITY(PDN_BEAM_FORCE, element, PDN_ALL_COMPONENTS,
+                                                 .station = stations[s]),
+                                    times, TIMES, force),
+                PDN_OK);
+            CHECK_STATUS(
+                pdn_solution_sample(solution,
+                                    PDN_QUANTITY(PDN_BEAM_FORCE_MEAN, element, PDN_ALL_COMPONENTS,
+                                                 .station = stations[s]),
+                                    times, TIMES, mean),
+                PDN_OK);
+            CHECK_STATUS(
+                pdn_solution_sample(solution,
+                                    PDN_QUANTITY(PDN_BEAM_FORCE_JUMP, element, PDN_ALL_COMPONENTS,
+                                                 .station = stations[s]),
+                                    times, TIMES, jump),
+                PDN_OK);
             for (i = 0; i < 6 * TIMES; i++) {
                 const double side = fabs(stations[s]) == 1 ? 0.5 * stations[s] : 0;
                 CHECK_NEAR(mean[i], force[i] + side * jump[i], 1e-12 * MOMENT);
@@ -614,13 +662,15 @@ static void harmonics_beyond_those_of_the_grid_are_zero(void)
     enum { MORE = HARMONICS + 3 };
     double cosines[3 * MORE], sines[3 * MORE], fewer[3 * HARMONICS];
     size_t i;
-    CHECK_STATUS(pdn_solution_harmonics(solution, ASK(PDN_NODE_POSITION, rotor), HARMONICS, NULL,
-                                        NULL, fewer, NULL),
+    CHECK_STATUS(pdn_solution_harmonics(solution,
+                                        PDN_QUANTITY(PDN_NODE_POSITION, rotor, PDN_ALL_COMPONENTS),
+                                        HARMONICS, NULL, NULL, fewer, NULL),
                  PDN_OK);
     for (i = 0; i < 3 * MORE; i++)
         cosines[i] = sines[i] = 7;
-    CHECK_STATUS(pdn_solution_harmonics(solution, ASK(PDN_NODE_POSITION, rotor), MORE, NULL, NULL,
-                                        cosines, sines),
+    CHECK_STATUS(pdn_solution_harmonics(solution,
+                                        PDN_QUANTITY(PDN_NODE_POSITION, rotor, PDN_ALL_COMPONENTS),
+                                        MORE, NULL, NULL, cosines, sines),
                  PDN_OK);
     CHECK(memcmp(cosines, fewer, sizeof fewer) == 0);
     for (i = 3 * HARMONICS; i < 3 * MORE; i++)
@@ -644,7 +694,8 @@ static void node_harmonics_are_those_of_the_samples(void)
     CHECK_STATUS(pdn_solution_grid_times(solution, grid, POINTS), PDN_OK);
     for (n = 0; n < 3; n++) {
         for (c = 0; c < sizeof cases / sizeof *cases; c++) {
-            const pdn_quantity *const asked = ASK(cases[c].kind, nodes[n], .frame = cases[c].frame);
+            const pdn_quantity *const asked =
+                PDN_QUANTITY(cases[c].kind, nodes[n], PDN_ALL_COMPONENTS, .frame = cases[c].frame);
             struct series series;
             memset(&series, 0, sizeof series);
             if (cases[c].kind == PDN_NODE_QUATERNION && nodes[n] == rotor) {
@@ -685,7 +736,8 @@ static void joint_harmonics_are_those_of_the_samples(void)
                 const int exists =
                     reaction || joint == ball || (joint == motor && detail == PDN_ROTATION);
                 const pdn_quantity *const asked =
-                    reaction ? ASK(kind, joint, .frame = detail) : ASK(kind, joint, detail);
+                    reaction ? PDN_QUANTITY(kind, joint, PDN_ALL_COMPONENTS, .frame = detail)
+                             : PDN_QUANTITY(kind, joint, detail);
                 struct series series;
                 memset(&series, 0, sizeof series);
                 CHECK_STATUS(pdn_solution_harmonics(solution, asked, HARMONICS, series.mean,
@@ -712,7 +764,8 @@ static void beam_harmonics_are_those_of_the_samples(void)
     int32_t element, kind;
     for (element = BEAM_ELEMENT(0); element < BEAM_ELEMENT(beam.elements); element++) {
         for (kind = PDN_BEAM_STRAIN; kind <= PDN_BEAM_FORCE; kind++) {
-            const pdn_quantity *const asked = ASK(kind, element, .station = 0.4);
+            const pdn_quantity *const asked =
+                PDN_QUANTITY(kind, element, PDN_ALL_COMPONENTS, .station = 0.4);
             struct series series;
             memset(&series, 0, sizeof series);
             CHECK_STATUS(pdn_solution_harmonics(solution, asked, HARMONICS, series.mean, NULL,
@@ -769,8 +822,9 @@ static void history_and_decay_are_told(void)
 
     /* The rotor has the largest first harmonic of all. */
     CHECK_STATUS(pdn_solution_decay(solution, decay, HARMONICS + 1), PDN_OK);
-    CHECK_STATUS(pdn_solution_harmonics(solution, ASK(PDN_NODE_ROTATION, rotor), HARMONICS,
-                                        rotation, NULL, cosines, sines),
+    CHECK_STATUS(pdn_solution_harmonics(solution,
+                                        PDN_QUANTITY(PDN_NODE_ROTATION, rotor, PDN_ALL_COMPONENTS),
+                                        HARMONICS, rotation, NULL, cosines, sines),
                  PDN_OK);
     CHECK_NEAR(decay[1], sqrt(cosines[0] * cosines[0] + sines[0] * sines[0]), 1e-12);
     CHECK_NEAR(decay[0], 1, 1e-2); /* the axis that stands still */

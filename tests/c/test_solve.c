@@ -101,7 +101,8 @@ static void angles(const pdn_solution *solution, double period, double *times, d
     int i;
     for (i = 0; i < TIMES; i++)
         times[i] = period * (0.03 + 0.17 * i);
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_COORDINATE, JOINT(0), PDN_ROTATION),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_JOINT_COORDINATE, JOINT(0), PDN_ROTATION),
                                      times, TIMES, angle),
                  PDN_OK);
 }
@@ -162,9 +163,10 @@ static void a_cantilever_bends_by_its_end_moment(void)
     CHECK(pdn_solution_outcome(solution) == PDN_CONVERGED);
     for (i = 0; i < TIMES; i++)
         times[i] = 0.2 * i;
-    CHECK_STATUS(
-        pdn_solution_sample(solution, ASK(PDN_NODE_ROTATION, beam.last), times, TIMES, rotation),
-        PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_NODE_ROTATION, beam.last, PDN_ALL_COMPONENTS),
+                                     times, TIMES, rotation),
+                 PDN_OK);
     for (i = 0; i < TIMES; i++) {
         const double expected = MOMENT * cos(2 * PI / PERIOD * times[i]) * end[0] / stiffness[5];
         CHECK(fabs(atan2(rotation[9 * i + 1], rotation[9 * i]) - expected) <
@@ -324,11 +326,13 @@ static void a_solve_may_start_from_given_motions(void)
 
     CHECK_STATUS(pdn_solution_grid_times(first, times, GUESS_POINTS), PDN_OK);
     for (node = 0; node < GUESS_NODES; node++) {
-        CHECK_STATUS(pdn_solution_sample(first, ASK(PDN_NODE_POSITION, NODE(node)), times,
-                                         GUESS_POINTS, positions[node]),
+        CHECK_STATUS(pdn_solution_sample(
+                         first, PDN_QUANTITY(PDN_NODE_POSITION, NODE(node), PDN_ALL_COMPONENTS),
+                         times, GUESS_POINTS, positions[node]),
                      PDN_OK);
-        CHECK_STATUS(pdn_solution_sample(first, ASK(PDN_NODE_ROTATION, NODE(node)), times,
-                                         GUESS_POINTS, rotations[node]),
+        CHECK_STATUS(pdn_solution_sample(
+                         first, PDN_QUANTITY(PDN_NODE_ROTATION, NODE(node), PDN_ALL_COMPONENTS),
+                         times, GUESS_POINTS, rotations[node]),
                      PDN_OK);
     }
     pdn_solution_free(first);
@@ -703,15 +707,18 @@ static void joints_too_many_are_tolerated_or_named(void)
     pdn_signal swing;
     double single[6], half[6];
     int32_t joint, i;
-    CHECK_STATUS(
-        pdn_solution_sample(solution, ASK(PDN_JOINT_REACTION, JOINT(0)), &instant, 1, single),
-        PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_JOINT_REACTION, JOINT(0), PDN_ALL_COMPONENTS),
+                                     &instant, 1, single),
+                 PDN_OK);
     pdn_solution_free(solution);
     CHECK_STATUS(pdn_model_add_revolute(model, PDN_GROUND, NODE(0), ORIGIN, AXIS, &joint), PDN_OK);
     solution = solve(model, &options);
     CHECK(pdn_solution_outcome(solution) == PDN_CONVERGED);
     CHECK(reports(solution, "5 redundant constraints among joints 0, 1"));
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_REACTION, joint), &instant, 1, half),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_JOINT_REACTION, joint, PDN_ALL_COMPONENTS),
+                                     &instant, 1, half),
                  PDN_OK);
     for (i = 0; i < 6; ++i)
         CHECK(fabs(half[i] - 0.5 * single[i]) < 1e-9 * (1.0 + fabs(single[i])));
@@ -749,7 +756,9 @@ static void a_solution_outlives_its_model(void)
     CHECK_STATUS(pdn_model_add_rigid_joint(model, NODE(0), node, CENTRE, &joint), PDN_OK);
     angles(solution, PERIOD, times, after);
     CHECK(memcmp(before, after, sizeof before) == 0);
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, node), times, 0, NULL),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_NODE_POSITION, node, PDN_ALL_COMPONENTS),
+                                     times, 0, NULL),
                  PDN_ERR_ID);
 
     later = solve(model, &options);
@@ -759,7 +768,10 @@ static void a_solution_outlives_its_model(void)
     check_exact(solution, PERIOD);
     pdn_solution_free(solution); /* before the later one */
     CHECK(pdn_solution_outcome(later) == PDN_CONVERGED);
-    CHECK_STATUS(pdn_solution_sample(later, ASK(PDN_NODE_POSITION, node), times, 0, NULL), PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(later,
+                                     PDN_QUANTITY(PDN_NODE_POSITION, node, PDN_ALL_COMPONENTS),
+                                     times, 0, NULL),
+                 PDN_OK);
     pdn_solution_free(later);
 }
 
@@ -807,8 +819,8 @@ static void freeing_goes_in_any_order(void)
 /* A shorter or unset struct is refused, a longer one only if it sets what is not known here. */
 #define CHECK_READER(type, call)                                                                   \
     do {                                                                                           \
-        static const size_t wrong[] = {                                                            \
-            0, 1, 7, 8, sizeof(type) - 4, sizeof(type) - 1, 5000, (size_t) - 1};                   \
+        static const size_t wrong[] = {0,    1,         7, 8, sizeof(type) - 4, sizeof(type) - 1,  \
+                                       5000, (size_t)-1};                                          \
         size_t i;                                                                                  \
         memset(&in, 0x5a, sizeof in);                                                              \
         type##_init(&in.known, sizeof in);                                                         \

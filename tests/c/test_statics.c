@@ -51,8 +51,9 @@ static double angle_of(const pdn_solution *solution)
 {
     const double time = 0.2;
     double angle;
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION),
-                                     &time, 1, &angle),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_JOINT_COORDINATE, hinge, PDN_ROTATION), &time,
+                                     1, &angle),
                  PDN_OK);
     return angle;
 }
@@ -119,9 +120,13 @@ static void steady_rotation(void)
     CHECK(fabs(MASS * ARM * speed * speed * sin(q) * cos(q) + 3 * cos(q) - WEIGHT * sin(q)) <
           1e-12 * WEIGHT);
     CHECK(q > 0.1);
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, body), &time, 1, position),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_NODE_POSITION, body, PDN_ALL_COMPONENTS),
+                                     &time, 1, position),
                  PDN_OK);
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_NODE_VELOCITY, body), &time, 1, velocity),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_NODE_VELOCITY, body, PDN_ALL_COMPONENTS),
+                                     &time, 1, velocity),
                  PDN_OK);
     CHECK(fabs(velocity[1] - speed * position[0]) < 1e-13 && fabs(velocity[0]) < 1e-13);
     CHECK(fabs(velocity[5] - speed) < 1e-13);

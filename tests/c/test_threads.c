@@ -22,11 +22,14 @@ static void periodic(const pdn_model *of, int32_t threads, int32_t solver, doubl
     options.linear_solver = solver;
     CHECK_STATUS(pdn_solve_periodic(of, 2, &options, &found), PDN_OK);
     CHECK(pdn_solution_outcome(found) == PDN_CONVERGED);
-    CHECK_STATUS(pdn_solution_sample(found, ASK(PDN_NODE_POSITION, parts.body), times, 2, out),
-                 PDN_OK);
     CHECK_STATUS(
-        pdn_solution_sample(found, ASK(PDN_NODE_VELOCITY, parts.beam.last), times, 2, out + 6),
+        pdn_solution_sample(found, PDN_QUANTITY(PDN_NODE_POSITION, parts.body, PDN_ALL_COMPONENTS),
+                            times, 2, out),
         PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(
+                     found, PDN_QUANTITY(PDN_NODE_VELOCITY, parts.beam.last, PDN_ALL_COMPONENTS),
+                     times, 2, out + 6),
+                 PDN_OK);
     pdn_solution_free(found);
 }
 
@@ -41,15 +44,19 @@ static void others(const pdn_model *of, double *out)
     march.step = 0.05;
     march.period = 2;
     CHECK_STATUS(pdn_solve_march(of, &march, &found), PDN_OK);
-    CHECK_STATUS(pdn_solution_sample(found, ASK(PDN_NODE_POSITION, parts.beam.last), times, 1, out),
+    CHECK_STATUS(pdn_solution_sample(
+                     found, PDN_QUANTITY(PDN_NODE_POSITION, parts.beam.last, PDN_ALL_COMPONENTS),
+                     times, 1, out),
                  PDN_OK);
     pdn_solution_free(found);
     PDN_INIT(pdn_static_options, &at_rest);
     at_rest.period = 2;
     at_rest.time = 0.5;
     CHECK_STATUS(pdn_solve_static(of, &at_rest, &found), PDN_OK);
-    CHECK_STATUS(pdn_solution_sample(found, ASK(PDN_NODE_POSITION, parts.body), times, 1, out + 3),
-                 PDN_OK);
+    CHECK_STATUS(
+        pdn_solution_sample(found, PDN_QUANTITY(PDN_NODE_POSITION, parts.body, PDN_ALL_COMPONENTS),
+                            times, 1, out + 3),
+        PDN_OK);
     pdn_solution_free(found);
 }
 
@@ -60,11 +67,13 @@ static void read_all(double *out)
     pdn_diagnostics diagnostics;
     pdn_stability *stability = NULL;
     pdn_stability_options options;
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_COORDINATE, parts.hinge, PDN_ROTATION),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_JOINT_COORDINATE, parts.hinge, PDN_ROTATION),
                                      times, 2, out),
                  PDN_OK);
-    CHECK_STATUS(pdn_solution_harmonics(solution, ASK(PDN_NODE_POSITION, parts.beam.last), 2,
-                                        out + 2, NULL, out + 5, out + 11),
+    CHECK_STATUS(pdn_solution_harmonics(
+                     solution, PDN_QUANTITY(PDN_NODE_POSITION, parts.beam.last, PDN_ALL_COMPONENTS),
+                     2, out + 2, NULL, out + 5, out + 11),
                  PDN_OK);
     PDN_INIT(pdn_diagnostics, &diagnostics);
     CHECK_STATUS(pdn_solution_diagnostics(solution, &diagnostics), PDN_OK);
