@@ -15,9 +15,9 @@ int main(void)
                                PDN_QUANTITY(PDN_JOINT_DRIVING_EFFORT, r.shaft, PDN_ROTATION), 1,
                                &mean, &rate, cosines, sines));
     printf("power: %.3f kW\n", -1e-3 * speed * mean);
-    pdn_quantity at_root = *PDN_QUANTITY(PDN_BEAM_FORCE, r.blades[0].first_element, 4);
-    at_root.station = -1;
-    TRY(pdn_solution_harmonics(solution, &at_root, 2, &mean, &rate, cosines, sines));
+    TRY(pdn_solution_harmonics(
+        solution, PDN_QUANTITY(PDN_BEAM_FORCE, r.blades[0].first_element, 4, .station = -1), 2,
+        &mean, &rate, cosines, sines));
     printf("flapwise moment at the root: mean %.3f kN m\n", 1e-3 * mean);
     for (int j = 0; j < 2; ++j) {
         printf("  %d a turn: %.3f cos, %.3f sin\n", j + 1, 1e-3 * cosines[j], 1e-3 * sines[j]);

@@ -45,9 +45,10 @@ int main(void)
     TRY(pdn_solution_extremes(solution, PDN_QUANTITY(PDN_JOINT_DRIVING_EFFORT, motor, PDN_ROTATION),
                               &least, &times[0], &most, &times[1]));
     printf("torque of the motor: %.2f to %.2f N m\n", least, most);
-    pdn_quantity moment = *PDN_QUANTITY(PDN_BEAM_FORCE, rod.first_element + 2, 5);
-    moment.station = -1; /* the beginning of the element */
-    TRY(pdn_solution_extremes(solution, &moment, &least, &times[0], &most, &times[1]));
+    /* Station -1 is the beginning of the element. */
+    TRY(pdn_solution_extremes(
+        solution, PDN_QUANTITY(PDN_BEAM_FORCE, rod.first_element + 2, 5, .station = -1), &least,
+        &times[0], &most, &times[1]));
     printf("moment in the middle of the rod: %.2f to %.2f N m\n", least, most);
     pdn_solution_free(solution);
     pdn_model_free(model);

@@ -12,10 +12,10 @@ int main(void)
         options.initial = last;
         pdn_solution *solution = NULL;
         TRY(pdn_solve_periodic(r.model, r.period, &options, &solution));
-        pdn_quantity at_root = *PDN_QUANTITY(PDN_BEAM_FORCE, r.blades[0].first_element, 5);
-        at_root.station = -1;
         double least, most, times[2];
-        TRY(pdn_solution_extremes(solution, &at_root, &least, &times[0], &most, &times[1]));
+        TRY(pdn_solution_extremes(
+            solution, PDN_QUANTITY(PDN_BEAM_FORCE, r.blades[0].first_element, 5, .station = -1),
+            &least, &times[0], &most, &times[1]));
         const int32_t outcome = pdn_solution_outcome(solution);
         printf("%.0f rad/s: edgewise moment at the root %.3f to %.3f kN m, %s\n", speeds[i],
                1e-3 * least, 1e-3 * most,
