@@ -89,8 +89,7 @@ int main(int argc, char **argv)
         TRY(pdn_model_move_number(model, p[2], PDN_NUMBER_BEAM_STIFFNESS, element, 0, 1));
         TRY(pdn_model_move_number(model, p[3], PDN_NUMBER_BEAM_MASS, element, 0, 1));
     }
-    TRY(pdn_model_move_signal(model, p[4], PDN_SIGNAL_OF_LOAD, load, PDN_FORCE_3, PDN_PART_MEAN,
-                              1));
+    TRY(pdn_model_move_signal(model, p[4], load, PDN_FORCE_3, PDN_PART_MEAN, 1));
 
     pdn_periodic_options options;
     PDN_INIT(pdn_periodic_options, &options);

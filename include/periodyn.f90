@@ -191,18 +191,12 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_NUMBER_SHELL_DAMPING = 3611
     integer(c_int32_t), parameter :: PDN_NUMBER_SHELL_THICKNESS = 3612
     integer(c_int32_t), parameter :: PDN_NUMBER_FRAME_RATE = 3613
-    integer(c_int32_t), parameter :: PDN_SIGNAL_OF_ACTUATOR = 3700
-    integer(c_int32_t), parameter :: PDN_SIGNAL_OF_PRESCRIBED = 3701
-    integer(c_int32_t), parameter :: PDN_SIGNAL_OF_LOAD = 3702
-    integer(c_int32_t), parameter :: PDN_SIGNAL_OF_BEAM_LOAD = 3703
-    integer(c_int32_t), parameter :: PDN_SIGNAL_OF_GRAVITY = 3704
-    integer(c_int32_t), parameter :: PDN_SIGNAL_OF_RELATION = 3705
-    integer(c_int32_t), parameter :: PDN_SIGNAL_OF_SHELL_LOAD = 3706
     integer(c_int32_t), parameter :: PDN_PART_MEAN = 3800
     integer(c_int32_t), parameter :: PDN_PART_RATE = 3801
     integer(c_int32_t), parameter :: PDN_PART_AMPLITUDE = 3802
     integer(c_int32_t), parameter :: PDN_PART_PHASE = 3803
     integer(c_int32_t), parameter :: PDN_FREQUENCY = -3
+    integer(c_int32_t), parameter :: PDN_GRAVITY = -4
     integer(c_int32_t), parameter :: PDN_FORCE_IS_SPRING_DAMPER = 1100
     integer(c_int32_t), parameter :: PDN_FORCE_IS_ACTUATOR = 1101
     integer(c_int32_t), parameter :: PDN_FORCE_IS_COORDINATE_LAW = 1102
@@ -338,6 +332,7 @@ module periodyn_c
         type(c_ptr) :: positions = c_null_ptr
         type(c_ptr) :: rotations = c_null_ptr
         type(c_ptr) :: velocities = c_null_ptr
+        integer(c_size_t) :: column_count
     end type pdn_force_state
 
     type, bind(C) :: pdn_force_values
@@ -556,7 +551,8 @@ module periodyn_c
         integer(c_int32_t) :: shell_element
         integer(c_int32_t) :: shell_place
         integer(c_int32_t) :: beam_element
-        integer(c_int32_t) :: reserved
+        integer(c_int32_t) :: nodes_apart
+        real(c_double) :: axis_2(3)
     end type pdn_force_info
 
     type, bind(C) :: pdn_sensitivity_options
@@ -1422,6 +1418,38 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_add_load
         end function pdn_model_add_load
 
+        ! Adds one component of a force or moment at a point that a node carries, in addition to
+        ! those that are there: such as a thrust that acts off the node of a body
+        function pdn_model_add_load_at_point(model, node, offset, frame, component, signal, &
+            load) bind(C, name="pdn_model_add_load_at_point")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: node
+            real(c_double), intent(in) :: offset(*)
+            integer(c_int32_t), value :: frame
+            integer(c_int32_t), value :: component
+            type(pdn_signal), intent(in) :: signal
+            integer(c_int32_t), intent(inout), optional :: load
+            integer(c_int32_t) :: pdn_model_add_load_at_point
+        end function pdn_model_add_load_at_point
+
+        ! Adds one component of a force or moment at a fraction of the span of a beam, in addition
+        ! to those that are there
+        function pdn_model_add_load_on_beam(model, first_element, elements, fraction, offset, &
+            frame, component, signal, load) bind(C, name="pdn_model_add_load_on_beam")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: first_element
+            integer(c_int32_t), value :: elements
+            real(c_double), value :: fraction
+            real(c_double), intent(in), optional :: offset(*)
+            integer(c_int32_t), value :: frame
+            integer(c_int32_t), value :: component
+            type(pdn_signal), intent(in) :: signal
+            integer(c_int32_t), intent(inout), optional :: load
+            integer(c_int32_t) :: pdn_model_add_load_on_beam
+        end function pdn_model_add_load_on_beam
+
         ! Sets the acceleration of gravity, in place of any set before
         function pdn_model_set_gravity(model, &
             acceleration) bind(C, name="pdn_model_set_gravity")
@@ -1933,6 +1961,16 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_add_user_force
         end function pdn_model_add_user_force
 
+        ! Declares that the force on each node of a function's force depends on time and on the
+        ! motion of this node alone, as that of the air on points of a wing by strips does
+        function pdn_model_declare_nodes_apart(model, &
+            force) bind(C, name="pdn_model_declare_nodes_apart")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: force
+            integer(c_int32_t) :: pdn_model_declare_nodes_apart
+        end function pdn_model_declare_nodes_apart
+
         ! Prepares a struct for ::pdn_model_check_tangents; use `PDN_INIT(pdn_tangent_check,
         ! &check)`
         subroutine pdn_tangent_check_init(check, &
@@ -2037,13 +2075,15 @@ module periodyn_c
         ! Adds forces along beam elements that a function of the caller computes at the points of
         ! a quadrature, such as those of the air on a blade: a force, with an id of its own, for
         ! each element
-        function pdn_model_add_line_force(model, first_element, elements, frame, tangents, &
-            function, user_data, destroy, first_force) bind(C, name="pdn_model_add_line_force")
+        function pdn_model_add_line_force(model, first_element, elements, frame, axis_2, &
+            tangents, function, user_data, destroy, &
+            first_force) bind(C, name="pdn_model_add_line_force")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), value :: first_element
             integer(c_int32_t), value :: elements
             integer(c_int32_t), value :: frame
+            real(c_double), intent(in), optional :: axis_2(*)
             integer(c_int32_t), value :: tangents
             type(c_funptr), value :: function
             type(c_ptr), value :: user_data
@@ -2112,11 +2152,10 @@ module periodyn_c
         end function pdn_model_bind_surface_force
 
         ! Gives what follows a signal another one: a load, an actuator, a prescribed coordinate
-        function pdn_model_set_signal(model, place, id, component, &
+        function pdn_model_set_signal(model, id, component, &
             signal) bind(C, name="pdn_model_set_signal")
             import
             type(c_ptr), value :: model
-            integer(c_int32_t), value :: place
             integer(c_int32_t), value :: id
             integer(c_int32_t), value :: component
             type(pdn_signal), intent(in) :: signal
@@ -2135,6 +2174,18 @@ module periodyn_c
             integer(c_size_t), value :: count
             integer(c_int32_t) :: pdn_model_set_force_numbers
         end function pdn_model_set_force_numbers
+
+        ! Gives a load, on a node, at a point, along beam elements or on shell elements, another
+        ! frame; its signals stay
+        function pdn_model_set_load_frame(model, load, frame, &
+            axis_2) bind(C, name="pdn_model_set_load_frame")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: load
+            integer(c_int32_t), value :: frame
+            real(c_double), intent(in), optional :: axis_2(*)
+            integer(c_int32_t) :: pdn_model_set_load_frame
+        end function pdn_model_set_load_frame
 
         ! Gives beam elements another section, the same all along them; their twist stays, and so
         ! do the factors of parameters
@@ -2173,21 +2224,18 @@ module periodyn_c
 
         ! Gives a node, joint, element, force, load or the like a label, in place of the one that
         ! it has
-        function pdn_model_set_label(model, kind, id, label) bind(C, name="pdn_model_set_label")
+        function pdn_model_set_label(model, id, label) bind(C, name="pdn_model_set_label")
             import
             type(c_ptr), value :: model
-            integer(c_int32_t), value :: kind
             integer(c_int32_t), value :: id
             character(kind=c_char), intent(in), optional :: label(*)
             integer(c_int32_t) :: pdn_model_set_label
         end function pdn_model_set_label
 
         ! The label of a node, joint, element, force, load or the like
-        function pdn_model_label(model, kind, id, buffer, &
-            capacity) bind(C, name="pdn_model_label")
+        function pdn_model_label(model, id, buffer, capacity) bind(C, name="pdn_model_label")
             import
             type(c_ptr), value :: model
-            integer(c_int32_t), value :: kind
             integer(c_int32_t), value :: id
             character(kind=c_char), intent(inout), optional :: buffer(*)
             integer(c_size_t), value :: capacity
@@ -2692,12 +2740,11 @@ module periodyn_c
 
         ! Lets a parameter move a part of a signal: it becomes `factor` times the parameter's
         ! value, now and whenever that changes
-        function pdn_model_move_signal(model, parameter, place, id, component, part, &
+        function pdn_model_move_signal(model, parameter, id, component, part, &
             factor) bind(C, name="pdn_model_move_signal")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), value :: parameter
-            integer(c_int32_t), value :: place
             integer(c_int32_t), value :: id
             integer(c_int32_t), value :: component
             integer(c_int32_t), value :: part
@@ -2898,11 +2945,10 @@ module periodyn_c
         end function pdn_model_relation_term
 
         ! Values of a signal of the model in time
-        function pdn_model_sample_signal(model, place, id, component, period, times, count, &
+        function pdn_model_sample_signal(model, id, component, period, times, count, &
             values) bind(C, name="pdn_model_sample_signal")
             import
             type(c_ptr), value :: model
-            integer(c_int32_t), value :: place
             integer(c_int32_t), value :: id
             integer(c_int32_t), value :: component
             real(c_double), value :: period
@@ -2912,7 +2958,8 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_sample_signal
         end function pdn_model_sample_signal
 
-        ! Number of loads on nodes; their ids follow each other from PDN_FIRST_LOAD on
+        ! Number of loads on nodes and at points; their ids follow each other from PDN_FIRST_LOAD
+        ! on
         function pdn_model_load_count(model, count) bind(C, name="pdn_model_load_count")
             import
             type(c_ptr), value :: model
@@ -2920,12 +2967,17 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_load_count
         end function pdn_model_load_count
 
-        ! A load on a node; its components are signals, ::pdn_model_sample_signal
-        function pdn_model_load_at(model, load, node, frame) bind(C, name="pdn_model_load_at")
+        ! A load on a node or at a point; its components are signals, ::pdn_model_sample_signal
+        function pdn_model_load_at(model, load, node, first_element, elements, fraction, offset, &
+            frame) bind(C, name="pdn_model_load_at")
             import
             type(c_ptr), value :: model
             integer(c_int32_t), value :: load
             integer(c_int32_t), intent(inout) :: node
+            integer(c_int32_t), intent(inout) :: first_element
+            integer(c_int32_t), intent(inout) :: elements
+            real(c_double), intent(inout) :: fraction
+            real(c_double), intent(inout), optional :: offset(*)
             integer(c_int32_t), intent(inout) :: frame
             integer(c_int32_t) :: pdn_model_load_at
         end function pdn_model_load_at
@@ -3966,6 +4018,8 @@ module periodyn
         procedure, public :: add_beam => model_add_beam
         procedure, public :: add_beam_between => model_add_beam_between
         procedure, public :: add_load => model_add_load
+        procedure, public :: add_load_at_point => model_add_load_at_point
+        procedure, public :: add_load_on_beam => model_add_load_on_beam
         procedure, public :: set_gravity => model_set_gravity
         procedure, public :: set_gravity_signals => model_set_gravity_signals
         procedure, public :: add_distributed_load => model_add_distributed_load
@@ -3995,6 +4049,7 @@ module periodyn
         procedure, public :: add_bushing => model_add_bushing
         procedure, public :: add_coordinate_law => model_add_coordinate_law
         procedure, public :: add_user_force => model_add_user_force
+        procedure, public :: declare_nodes_apart => model_declare_nodes_apart
         procedure, public :: check_tangents => model_check_tangents
         procedure, public :: add_controller => model_add_controller
         procedure, public :: controller_counts => model_controller_counts
@@ -4008,6 +4063,7 @@ module periodyn
         procedure, public :: bind_surface_force => model_bind_surface_force
         procedure, public :: set_signal => model_set_signal
         procedure, public :: set_force_numbers => model_set_force_numbers
+        procedure, public :: set_load_frame => model_set_load_frame
         procedure, public :: set_beam_section => model_set_beam_section
         procedure, public :: set_shell_section => model_set_shell_section
         procedure, public :: set_inertia => model_set_inertia
@@ -4217,25 +4273,26 @@ module periodyn
         model_add_free_joint, model_add_spherical, model_add_universal, model_add_strut, &
         model_add_joint, model_add_screw_between, model_relation_count, model_add_relation, &
         model_add_beam_element, model_add_straight_beam, model_add_beam, model_add_beam_between, &
-        model_add_load, model_set_gravity, model_set_gravity_signals, &
-        model_add_distributed_load, model_add_load_at_places, model_set_turning_frame, &
-        model_turning_frame, model_set_rotor_symmetry, model_rotor_symmetry, model_rotor_node, &
-        model_add_shell_element, model_add_shell, model_add_shell_grid, &
-        model_add_shell_quadrilaterals, model_shell_patch_node, model_shell_element_count, &
-        model_shell_node, model_add_shell_load, model_set_shell_prestress, &
-        model_add_rigid_joints, model_add_rigid_edge, model_force_count, &
-        model_add_spring_damper, model_add_nonlinear_spring_damper, model_add_actuator, &
-        model_add_viscoelastic, model_add_viscous_damper, model_add_bushing, &
-        model_add_coordinate_law, model_add_user_force, model_check_tangents, &
-        model_add_controller, model_controller_counts, model_controller_coordinate, &
-        model_controller_state, model_add_surface_force, model_add_line_force, &
-        model_bind_controller, model_bind_coordinate_law, model_bind_user_force, &
-        model_bind_surface_force, model_set_signal, model_set_force_numbers, &
-        model_set_beam_section, model_set_shell_section, model_set_inertia, model_set_label, &
-        model_label, model_find_label, model_solve_periodic, model_add_parameter, &
-        model_parameter_count, model_parameter, model_parameter_name, model_find_parameter, &
-        model_move_number, model_move_signal, model_set_parameter, model_set_mass_damping, &
-        model_declare_of_phase, model_joint, model_force, model_force_number, model_force_node, &
+        model_add_load, model_add_load_at_point, model_add_load_on_beam, model_set_gravity, &
+        model_set_gravity_signals, model_add_distributed_load, model_add_load_at_places, &
+        model_set_turning_frame, model_turning_frame, model_set_rotor_symmetry, &
+        model_rotor_symmetry, model_rotor_node, model_add_shell_element, model_add_shell, &
+        model_add_shell_grid, model_add_shell_quadrilaterals, model_shell_patch_node, &
+        model_shell_element_count, model_shell_node, model_add_shell_load, &
+        model_set_shell_prestress, model_add_rigid_joints, model_add_rigid_edge, &
+        model_force_count, model_add_spring_damper, model_add_nonlinear_spring_damper, &
+        model_add_actuator, model_add_viscoelastic, model_add_viscous_damper, model_add_bushing, &
+        model_add_coordinate_law, model_add_user_force, model_declare_nodes_apart, &
+        model_check_tangents, model_add_controller, model_controller_counts, &
+        model_controller_coordinate, model_controller_state, model_add_surface_force, &
+        model_add_line_force, model_bind_controller, model_bind_coordinate_law, &
+        model_bind_user_force, model_bind_surface_force, model_set_signal, &
+        model_set_force_numbers, model_set_load_frame, model_set_beam_section, &
+        model_set_shell_section, model_set_inertia, model_set_label, model_label, &
+        model_find_label, model_solve_periodic, model_add_parameter, model_parameter_count, &
+        model_parameter, model_parameter_name, model_find_parameter, model_move_number, &
+        model_move_signal, model_set_parameter, model_set_mass_damping, model_declare_of_phase, &
+        model_joint, model_force, model_force_number, model_force_node, &
         model_beam_element_node_count, model_beam_element_node, model_beam_section, &
         model_inertia_count, model_inertia, model_inertia_of, model_prescribed, &
         model_relation_term_count, model_relation_term, model_sample_signal, model_load_count, &
@@ -6188,6 +6245,51 @@ contains
         call report(status, stat, errmsg)
     end subroutine model_add_load
 
+    ! Adds one component of a force or moment at a point that a node carries, in addition to those
+    ! that are there: such as a thrust that acts off the node of a body.
+    subroutine model_add_load_at_point(self, node, offset, frame, component, signal, load, stat, &
+        errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: node
+        real(c_double), intent(in) :: offset(3)
+        integer(c_int32_t), intent(in) :: frame, component
+        type(pdn_signal), intent(in), target :: signal
+        integer(c_int32_t), intent(inout), optional :: load
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: found_load, status
+
+        status = pdn_model_add_load_at_point(self%c, node, offset, frame, component, &
+            raw_of(signal), found_load)
+        if (status == PDN_OK) then
+            if (present(load)) load = found_load
+        end if
+        call report(status, stat, errmsg)
+    end subroutine model_add_load_at_point
+
+    ! Adds one component of a force or moment at a fraction of the span of a beam, in addition to
+    ! those that are there.
+    subroutine model_add_load_on_beam(self, first_element, elements, fraction, frame, component, &
+        signal, offset, load, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first_element, elements
+        real(c_double), intent(in) :: fraction
+        integer(c_int32_t), intent(in) :: frame, component
+        type(pdn_signal), intent(in), target :: signal
+        real(c_double), intent(in), optional :: offset(3)
+        integer(c_int32_t), intent(inout), optional :: load
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: found_load, status
+
+        status = pdn_model_add_load_on_beam(self%c, first_element, elements, fraction, offset, &
+            frame, component, raw_of(signal), found_load)
+        if (status == PDN_OK) then
+            if (present(load)) load = found_load
+        end if
+        call report(status, stat, errmsg)
+    end subroutine model_add_load_on_beam
+
     ! Sets the acceleration of gravity, in place of any set before.
     subroutine model_set_gravity(self, acceleration, stat, errmsg)
         class(pdn_model), intent(inout) :: self
@@ -6790,6 +6892,19 @@ contains
         call report(status, stat, errmsg)
     end subroutine model_add_user_force
 
+    ! Declares that the force on each node of a function's force depends on time and on the motion
+    ! of this node alone, as that of the air on points of a wing by strips does.
+    subroutine model_declare_nodes_apart(self, force, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: force
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_declare_nodes_apart(self%c, force)
+        call report(status, stat, errmsg)
+    end subroutine model_declare_nodes_apart
+
     ! Compares the tangents that a user's function gives with differences of its forces.
     subroutine model_check_tangents(self, force, period, check, stat, errmsg)
         class(pdn_model), intent(in) :: self
@@ -6947,10 +7062,11 @@ contains
     ! quadrature, such as those of the air on a blade: a force, with an id of its own, for each
     ! element.
     subroutine model_add_line_force(self, first_element, elements, frame, tangents, function, &
-        user_data, destroy, first_force, stat, errmsg)
+        axis_2, user_data, destroy, first_force, stat, errmsg)
         class(pdn_model), intent(inout) :: self
         integer(c_int32_t), intent(in) :: first_element, elements, frame, tangents
         procedure(pdn_surface_force_fn) :: function
+        real(c_double), intent(in), optional :: axis_2(3)
         type(c_ptr), intent(in), optional :: user_data
         procedure(pdn_destroy_fn), optional :: destroy
         integer(c_int32_t), intent(inout), optional :: first_force
@@ -6964,8 +7080,8 @@ contains
         if (present(user_data)) raw_user_data = user_data
         raw_destroy = c_null_funptr
         if (present(destroy)) raw_destroy = c_funloc(destroy)
-        status = pdn_model_add_line_force(self%c, first_element, elements, frame, tangents, &
-            c_funloc(function), raw_user_data, raw_destroy, found_first_force)
+        status = pdn_model_add_line_force(self%c, first_element, elements, frame, axis_2, &
+            tangents, c_funloc(function), raw_user_data, raw_destroy, found_first_force)
         if (status == PDN_OK) then
             if (present(first_force)) first_force = found_first_force
         end if
@@ -7068,15 +7184,15 @@ contains
     end subroutine model_bind_surface_force
 
     ! Gives what follows a signal another one: a load, an actuator, a prescribed coordinate.
-    subroutine model_set_signal(self, place, id, component, signal, stat, errmsg)
+    subroutine model_set_signal(self, id, component, signal, stat, errmsg)
         class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: place, id, component
+        integer(c_int32_t), intent(in) :: id, component
         type(pdn_signal), intent(in), target :: signal
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         integer(c_int32_t) :: status
 
-        status = pdn_model_set_signal(self%c, place, id, component, raw_of(signal))
+        status = pdn_model_set_signal(self%c, id, component, raw_of(signal))
         call report(status, stat, errmsg)
     end subroutine model_set_signal
 
@@ -7094,6 +7210,20 @@ contains
         status = pdn_model_set_force_numbers(self%c, force, number, values, count)
         call report(status, stat, errmsg)
     end subroutine model_set_force_numbers
+
+    ! Gives a load, on a node, at a point, along beam elements or on shell elements, another
+    ! frame; its signals stay.
+    subroutine model_set_load_frame(self, load, frame, axis_2, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: load, frame
+        real(c_double), intent(in), optional :: axis_2(3)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_set_load_frame(self%c, load, frame, axis_2)
+        call report(status, stat, errmsg)
+    end subroutine model_set_load_frame
 
     ! Gives beam elements another section, the same all along them; their twist stays, and so do
     ! the factors of parameters.
@@ -7139,9 +7269,9 @@ contains
 
     ! Gives a node, joint, element, force, load or the like a label, in place of the one that it
     ! has.
-    subroutine model_set_label(self, kind, id, label, stat, errmsg)
+    subroutine model_set_label(self, id, label, stat, errmsg)
         class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: kind, id
+        integer(c_int32_t), intent(in) :: id
         character(*), intent(in), optional :: label
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
@@ -7149,19 +7279,19 @@ contains
         integer(c_int32_t) :: status
 
         if (present(label)) raw_label = trim(label)//c_null_char
-        status = pdn_model_set_label(self%c, kind, id, raw_label)
+        status = pdn_model_set_label(self%c, id, raw_label)
         call report(status, stat, errmsg)
     end subroutine model_set_label
 
     ! The label of a node, joint, element, force, load or the like.
-    function model_label(self, kind, id) result(text)
+    function model_label(self, id) result(text)
         class(pdn_model), intent(in) :: self
-        integer(c_int32_t), intent(in) :: kind, id
+        integer(c_int32_t), intent(in) :: id
         character(:), allocatable :: text
         integer(c_size_t) :: length
 
-        allocate (character(pdn_model_label(self%c, kind, id, capacity=0_c_size_t) + 1) :: text)
-        length = pdn_model_label(self%c, kind, id, text, len(text, c_size_t))
+        allocate (character(pdn_model_label(self%c, id, capacity=0_c_size_t) + 1) :: text)
+        length = pdn_model_label(self%c, id, text, len(text, c_size_t))
         text = text(:length)
     end function model_label
 
@@ -7323,16 +7453,15 @@ contains
 
     ! Lets a parameter move a part of a signal: it becomes factor times the parameter's value, now
     ! and whenever that changes.
-    subroutine model_move_signal(self, parameter, place, id, component, part, factor, stat, &
-        errmsg)
+    subroutine model_move_signal(self, parameter, id, component, part, factor, stat, errmsg)
         class(pdn_model), intent(inout) :: self
-        integer(c_int32_t), intent(in) :: parameter, place, id, component, part
+        integer(c_int32_t), intent(in) :: parameter, id, component, part
         real(c_double), intent(in) :: factor
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         integer(c_int32_t) :: status
 
-        status = pdn_model_move_signal(self%c, parameter, place, id, component, part, factor)
+        status = pdn_model_move_signal(self%c, parameter, id, component, part, factor)
         call report(status, stat, errmsg)
     end subroutine model_move_signal
 
@@ -7585,10 +7714,9 @@ contains
     end subroutine model_relation_term
 
     ! Values of a signal of the model in time.
-    subroutine model_sample_signal(self, place, id, component, period, times, values, stat, &
-        errmsg)
+    subroutine model_sample_signal(self, id, component, period, times, values, stat, errmsg)
         class(pdn_model), intent(in) :: self
-        integer(c_int32_t), intent(in) :: place, id, component
+        integer(c_int32_t), intent(in) :: id, component
         real(c_double), intent(in) :: period
         real(c_double), intent(in), contiguous :: times(:)
         real(c_double), intent(inout), contiguous :: values(:)
@@ -7599,12 +7727,11 @@ contains
 
         count = size(times, 1, c_size_t)
         if (.not. fits('values', shape(values), [int(count)], stat, errmsg)) return
-        status = pdn_model_sample_signal(self%c, place, id, component, period, times, count, &
-            values)
+        status = pdn_model_sample_signal(self%c, id, component, period, times, count, values)
         call report(status, stat, errmsg)
     end subroutine model_sample_signal
 
-    ! Number of loads on nodes; their ids follow each other from PDN_FIRST_LOAD on.
+    ! Number of loads on nodes and at points; their ids follow each other from PDN_FIRST_LOAD on.
     subroutine model_load_count(self, count, stat, errmsg)
         class(pdn_model), intent(in) :: self
         integer(c_int32_t), intent(inout) :: count
@@ -7617,18 +7744,28 @@ contains
         call report(status, stat, errmsg)
     end subroutine model_load_count
 
-    ! A load on a node; its components are signals, sample_signal.
-    subroutine model_load_at(self, load, node, frame, stat, errmsg)
+    ! A load on a node or at a point; its components are signals, sample_signal.
+    subroutine model_load_at(self, load, node, first_element, elements, fraction, frame, offset, &
+        stat, errmsg)
         class(pdn_model), intent(in) :: self
         integer(c_int32_t), intent(in) :: load
-        integer(c_int32_t), intent(inout) :: node, frame
+        integer(c_int32_t), intent(inout) :: node, first_element, elements
+        real(c_double), intent(inout) :: fraction
+        integer(c_int32_t), intent(inout) :: frame
+        real(c_double), intent(inout), optional :: offset(3)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t) :: found_node, found_frame, status
+        integer(c_int32_t) :: found_node, found_first_element, found_elements
+        real(c_double) :: found_fraction
+        integer(c_int32_t) :: found_frame, status
 
-        status = pdn_model_load_at(self%c, load, found_node, found_frame)
+        status = pdn_model_load_at(self%c, load, found_node, found_first_element, &
+            found_elements, found_fraction, offset, found_frame)
         if (status == PDN_OK) then
             node = found_node
+            first_element = found_first_element
+            elements = found_elements
+            fraction = found_fraction
             frame = found_frame
         end if
         call report(status, stat, errmsg)

@@ -203,7 +203,7 @@
 #define PDN_FIRST_PARAMETER 700000000
 
 /**
- * Id of the load on a node that was added first.
+ * Id of the load on a node, or at a point, that was added first.
  */
 #define PDN_FIRST_LOAD 800000000
 
@@ -506,7 +506,7 @@
 #define PDN_OBJECT_RELATION 1005
 
 /**
- * What has a label: a load on a node.
+ * What has a label: a load on a node or at a point.
  */
 #define PDN_OBJECT_LOAD 1006
 
@@ -963,41 +963,6 @@
 #define PDN_NUMBER_FRAME_RATE 3613
 
 /**
- * The signal of an actuator, a force.
- */
-#define PDN_SIGNAL_OF_ACTUATOR 3700
-
-/**
- * The signal of a prescribed coordinate.
- */
-#define PDN_SIGNAL_OF_PRESCRIBED 3701
-
-/**
- * The signal of a component of a load on a node.
- */
-#define PDN_SIGNAL_OF_LOAD 3702
-
-/**
- * The signal of a component of a load along beam elements.
- */
-#define PDN_SIGNAL_OF_BEAM_LOAD 3703
-
-/**
- * The signal of a component of gravity.
- */
-#define PDN_SIGNAL_OF_GRAVITY 3704
-
-/**
- * The signal of a linear relation between joint coordinates.
- */
-#define PDN_SIGNAL_OF_RELATION 3705
-
-/**
- * The signal of a component of a load on shell elements.
- */
-#define PDN_SIGNAL_OF_SHELL_LOAD 3706
-
-/**
  * Part of a signal: the mean that is added to its shape.
  */
 #define PDN_PART_MEAN 3800
@@ -1021,6 +986,11 @@
  * A parameter: the circular frequency 2 pi / T, which every model has.
  */
 #define PDN_FREQUENCY -3
+
+/**
+ * In place of an id: gravity, whose components have signals.
+ */
+#define PDN_GRAVITY -4
 
 /**
  * Kind of force: springs and dampers on a joint coordinate.
@@ -1768,6 +1738,11 @@ typedef struct pdn_force_state {
      * (PDN_FRAME_SPACE) or the node's own (PDN_FRAME_MATERIAL).
      */
     const double *velocities;
+    /**
+     * Nodes whose motions tangents are by: all, as many as [node_count], or 1, the own node of
+     * each force, where nodes were declared apart (::pdn_model_declare_nodes_apart).
+     */
+    size_t column_count;
 } pdn_force_state;
 
 /**
@@ -1789,9 +1764,9 @@ typedef struct pdn_force_values {
      */
     double *forces;
     /**
-     * Array of shape 6 x [node_count] x 6 x [node_count], column by column: derivatives of
-     * forces by displacements and turns. NULL if tangents are not wanted, or were said not to be
-     * given.
+     * Array of shape 6 x [node_count] x 6 x [column_count], column by column: derivatives of
+     * forces by displacements and turns: of all nodes or, where nodes were declared apart, of the
+     * own node of each force. NULL if tangents are not wanted, or were said not to be given.
      */
     double *by_motion;
     /**
@@ -2015,7 +1990,7 @@ typedef struct pdn_surface_state {
      * Array of shape 9 x [point_count]: rotation matrices, column by column; the columns are the
      * axes of the point in global coordinates, those of a follower load: on the surface axes 1, 2
      * and the normal, on an edge 1 along it, 3 along the normal, and 2 = 3 * 1; along a beam those
-     * of its section.
+     * of its section, or with PDN_FRAME_UNTWISTED those without twist.
      */
     const double *rotations;
     /**
@@ -2768,9 +2743,14 @@ typedef struct pdn_force_info {
      */
     int32_t beam_element;
     /**
-     * Zero.
+     * Of forces of the user on nodes, 1 if these were declared apart; else 0.
      */
-    int32_t reserved;
+    int32_t nodes_apart;
+    /**
+     * Of forces of the user along a beam with PDN_FRAME_UNTWISTED, the direction axis_2; else
+     * zero.
+     */
+    double axis_2[3];
 } pdn_force_info;
 
 /**
@@ -4574,7 +4554,7 @@ pdn_status pdn_model_add_beam_between(struct pdn_model *model,
 /**
  * Adds one component of a force or moment on a node, in addition to those that are there.
  *
- * A force acts at the node's origin.
+ * A force acts at the node's origin; ::pdn_model_add_load_at_point takes another point.
  *
  * @param model  the model; not NULL
  * @param node  id of the node
@@ -4597,6 +4577,76 @@ pdn_status pdn_model_add_load(struct pdn_model *model,
                               int32_t component,
                               const struct pdn_signal *signal,
                               int32_t *load);
+
+/**
+ * Adds one component of a force or moment at a point that a node carries, in addition to those
+ * that are there: such as a thrust that acts off the node of a body.
+ *
+ * The point moves with the node, and so does the arm of the force about the node.
+ *
+ * @param model  the model; not NULL
+ * @param node  id of the node
+ * @param offset  array of length 3: the point, from the node's origin, along the node's axes
+ *     \[length\]
+ * @param frame  PDN_FRAME_SPACE: directions of the global axes; PDN_FRAME_MATERIAL: of the node's
+ *     axes, which the load follows
+ * @param component  PDN_FORCE_1, PDN_FORCE_2, PDN_FORCE_3 [force], PDN_MOMENT_1, PDN_MOMENT_2 or
+ *     PDN_MOMENT_3 [force * length]
+ * @param signal  the component in time, copied; not NULL
+ * @param load  the load's id; may be NULL if it is not wanted; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_STRUCT_SIZE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_load_at_point(struct pdn_model *model,
+                                       int32_t node,
+                                       const double *offset,
+                                       int32_t frame,
+                                       int32_t component,
+                                       const struct pdn_signal *signal,
+                                       int32_t *load);
+
+/**
+ * Adds one component of a force or moment at a fraction of the span of a beam, in addition to
+ * those that are there.
+ *
+ * It moves with the section there. Internal forces jump at such a place, which an element smooths
+ * unless a node is there: next to the load they are more accurate on a mesh with a boundary there,
+ * as ::pdn_model_add_beam_between makes it. The ends of elements are nodes.
+ *
+ * @param model  the model; not NULL
+ * @param first_element  id of the first beam element, such as the first_element of a ::pdn_beam
+ * @param elements  number of elements, from the first on, such as the elements of a ::pdn_beam; at
+ *     least 1
+ * @param fraction  the place, as a fraction of the reference length of these elements, from 0 to 1
+ * @param offset  array of length 3: the point, from the line of the beam, along the section's axes
+ *     \[length\]; NULL for a point of the line
+ * @param frame  PDN_FRAME_SPACE: directions of the global axes; PDN_FRAME_MATERIAL: of the
+ *     section's axes, which the load follows
+ * @param component  PDN_FORCE_1, PDN_FORCE_2, PDN_FORCE_3 [force], PDN_MOMENT_1, PDN_MOMENT_2 or
+ *     PDN_MOMENT_3 [force * length]
+ * @param signal  the component in time, copied; not NULL
+ * @param load  the load's id, as of a load on a node; may be NULL if it is not wanted; written on
+ *     success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_STRUCT_SIZE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_load_on_beam(struct pdn_model *model,
+                                      int32_t first_element,
+                                      int32_t elements,
+                                      double fraction,
+                                      const double *offset,
+                                      int32_t frame,
+                                      int32_t component,
+                                      const struct pdn_signal *signal,
+                                      int32_t *load);
 
 /**
  * Sets the acceleration of gravity, in place of any set before. Without this call there is none.
@@ -5599,7 +5649,8 @@ pdn_status pdn_model_add_coordinate_law(struct pdn_model *model,
  *     PDN_FRAME_MATERIAL: along those of each node
  * @param tangents  PDN_TANGENTS_GIVEN if the function writes tangents, which
  *     ::pdn_model_check_tangents checks; PDN_TANGENTS_DIFFERENCED if the library is to find them
- *     by differences, at the price of 24 calls a node
+ *     by differences, at the price of 24 calls a node, or 24 for all where
+ *     ::pdn_model_declare_nodes_apart says that no node matters to others
  * @param function  the forces, see ::pdn_user_force_fn for when it is called; not NULL
  * @param user_data  handed to the function; may be NULL
  * @param destroy  called once with user_data when the model, its copies in solutions included, no
@@ -5621,6 +5672,25 @@ pdn_status pdn_model_add_user_force(struct pdn_model *model,
                                     void *user_data,
                                     pdn_destroy_fn destroy,
                                     int32_t *force);
+
+/**
+ * Declares that the force on each node of a function's force depends on time and on the motion of
+ * this node alone, as that of the air on points of a wing by strips does.
+ *
+ * Then the force couples no nodes with each other, so that solves take less time; tangents are of
+ * each force by its own node (pdn_force_state), and differences of all nodes are found at once, by
+ * 24 calls. Solves compare a few calls and refuse, with PDN_ERR_MODEL, forces that are not so.
+ *
+ * @param model  the model; not NULL
+ * @param force  id of a force by ::pdn_model_add_user_force
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_NOT_AVAILABLE (it is none of these)
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_declare_nodes_apart(struct pdn_model *model,
+                                         int32_t force);
 
 /**
  * Prepares a struct for ::pdn_model_check_tangents; use `PDN_INIT(pdn_tangent_check, &check)`.
@@ -5834,7 +5904,11 @@ pdn_status pdn_model_add_surface_force(struct pdn_model *model,
  * @param elements  number of elements, from the first on, such as the elements of a ::pdn_beam; at
  *     least 1
  * @param frame  PDN_FRAME_SPACE: velocities, forces and tangents are along the global axes;
- *     PDN_FRAME_MATERIAL: along those of the section at each point, twisted as they are
+ *     PDN_FRAME_MATERIAL: along those of the section at each point, twisted as they are;
+ *     PDN_FRAME_UNTWISTED: along the axes of ::pdn_model_add_load_at_places, which rotations of
+ *     the points are then of, too
+ * @param axis_2  array of length 3: direction, global coordinates, of any nonzero length, nowhere
+ *     along the line; read for PDN_FRAME_UNTWISTED only, else it may be NULL
  * @param tangents  PDN_TANGENTS_GIVEN if the function writes tangents, which
  *     ::pdn_model_check_tangents checks; PDN_TANGENTS_DIFFERENCED if the library is to find them
  *     by differences, at the price of 24 calls an element
@@ -5855,6 +5929,7 @@ pdn_status pdn_model_add_line_force(struct pdn_model *model,
                                     int32_t first_element,
                                     int32_t elements,
                                     int32_t frame,
+                                    const double *axis_2,
                                     int32_t tangents,
                                     pdn_surface_force_fn function,
                                     void *user_data,
@@ -5946,7 +6021,8 @@ pdn_status pdn_model_bind_user_force(struct pdn_model *model,
  * @param first_force  id of the first of the forces, by ::pdn_model_add_surface_force or
  *     ::pdn_model_add_line_force; ::pdn_model_find_label finds it by its label
  * @param forces  number of forces, in order: one on each element, at least 1
- * @param frame  PDN_FRAME_SPACE or PDN_FRAME_MATERIAL, as in ::pdn_model_add_surface_force
+ * @param frame  PDN_FRAME_SPACE or PDN_FRAME_MATERIAL, as in ::pdn_model_add_surface_force; the
+ *     latter, too, of forces along beams with PDN_FRAME_UNTWISTED, whose axes the model keeps
  * @param tangents  PDN_TANGENTS_GIVEN or PDN_TANGENTS_DIFFERENCED
  * @param function  the forces, see ::pdn_surface_force_fn for when it is called; not NULL
  * @param user_data  handed to the function; may be NULL
@@ -5975,8 +6051,7 @@ pdn_status pdn_model_bind_surface_force(struct pdn_model *model,
  * Parts of it that parameters move have the parameters' values again.
  *
  * @param model  the model; not NULL
- * @param place  what has the signal: PDN_SIGNAL_OF_ACTUATOR, ...
- * @param id  its id: of a force, prescribed coordinate, load or relation; 0 for gravity
+ * @param id  what has the signal, as in ::pdn_model_move_signal
  * @param component  of a load PDN_FORCE_1, ... or PDN_MOMENT_3, one that has a signal; of gravity
  *     from 0 to 2; 0 for all else
  * @param signal  the other signal, copied; not NULL
@@ -5988,7 +6063,6 @@ pdn_status pdn_model_bind_surface_force(struct pdn_model *model,
  */
 PDN_API
 pdn_status pdn_model_set_signal(struct pdn_model *model,
-                                int32_t place,
                                 int32_t id,
                                 int32_t component,
                                 const struct pdn_signal *signal);
@@ -5999,9 +6073,10 @@ pdn_status pdn_model_set_signal(struct pdn_model *model,
  *
  * @param model  the model; not NULL
  * @param force  id of the force
- * @param number  PDN_NUMBER_STIFFNESS, PDN_NUMBER_DAMPING or PDN_NUMBER_RELAXATION_TIME
+ * @param number  PDN_NUMBER_STIFFNESS, PDN_NUMBER_DAMPING, PDN_NUMBER_RELAXATION_TIME or
+ *     PDN_NUMBER_REST
  * @param values  array of length [count]: the numbers, in the order of ::pdn_model_force_number
- * @param count  how many; pdn_force_info tells how many the force has
+ * @param count  how many; pdn_force_info tells how many the force has; of PDN_NUMBER_REST 1
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE (a
  *     parameter moves such a number of the force, or the numbers are none of such a force)
  *
@@ -6014,6 +6089,26 @@ pdn_status pdn_model_set_force_numbers(struct pdn_model *model,
                                        int32_t number,
                                        const double *values,
                                        size_t count);
+
+/**
+ * Gives a load, on a node, at a point, along beam elements or on shell elements, another frame;
+ * its signals stay.
+ *
+ * @param model  the model; not NULL
+ * @param load  id of the load, beam load or shell load
+ * @param frame  PDN_FRAME_SPACE or PDN_FRAME_MATERIAL; along beams also PDN_FRAME_UNTWISTED
+ * @param axis_2  array of length 3: as in ::pdn_model_add_load_at_places; read for
+ *     PDN_FRAME_UNTWISTED only, else it may be NULL
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_set_load_frame(struct pdn_model *model,
+                                    int32_t load,
+                                    int32_t frame,
+                                    const double *axis_2);
 
 /**
  * Gives beam elements another section, the same all along them; their twist stays, and so do the
@@ -6082,7 +6177,6 @@ pdn_status pdn_model_set_inertia(struct pdn_model *model,
  * copied with the model, and solutions keep those that it has when it is solved.
  *
  * @param model  the model; not NULL
- * @param kind  PDN_OBJECT_NODE to PDN_OBJECT_PRESCRIBED
  * @param id  its id
  * @param label  text in UTF-8 of at most PDN_LABEL_LENGTH bytes, without quotes (") and control
  *     characters, that no other object of this kind has; empty or NULL to take the label away
@@ -6093,7 +6187,6 @@ pdn_status pdn_model_set_inertia(struct pdn_model *model,
  */
 PDN_API
 pdn_status pdn_model_set_label(struct pdn_model *model,
-                               int32_t kind,
                                int32_t id,
                                const char *label);
 
@@ -6101,7 +6194,6 @@ pdn_status pdn_model_set_label(struct pdn_model *model,
  * The label of a node, joint, element, force, load or the like.
  *
  * @param model  the model; not NULL
- * @param kind  PDN_OBJECT_NODE to PDN_OBJECT_PRESCRIBED
  * @param id  its id
  * @param buffer  array of length [capacity] for the label, UTF-8, always ended by NUL; may be NULL
  *     if capacity is 0
@@ -6114,7 +6206,6 @@ pdn_status pdn_model_set_label(struct pdn_model *model,
  */
 PDN_API
 size_t pdn_model_label(const struct pdn_model *model,
-                       int32_t kind,
                        int32_t id,
                        char *buffer,
                        size_t capacity);
@@ -7038,8 +7129,8 @@ pdn_status pdn_model_move_number(struct pdn_model *model,
  *
  * @param model  the model; not NULL
  * @param parameter  id of the parameter
- * @param place  what has the signal: PDN_SIGNAL_OF_ACTUATOR, ...
- * @param id  its id: of a force, prescribed coordinate, load or relation; 0 for gravity
+ * @param id  what has the signal: id of an actuator (a force), prescribed coordinate, load (on a
+ *     node, along beams, on shells) or relation; or PDN_GRAVITY
  * @param component  of a load PDN_FORCE_1, ... or PDN_MOMENT_3, of gravity from 0 to 2; 0 for all
  *     else
  * @param part  PDN_PART_MEAN, PDN_PART_RATE, PDN_PART_AMPLITUDE or PDN_PART_PHASE
@@ -7052,7 +7143,6 @@ pdn_status pdn_model_move_number(struct pdn_model *model,
 PDN_API
 pdn_status pdn_model_move_signal(struct pdn_model *model,
                                  int32_t parameter,
-                                 int32_t place,
                                  int32_t id,
                                  int32_t component,
                                  int32_t part,
@@ -7185,11 +7275,13 @@ pdn_status pdn_model_force(const struct pdn_model *model,
  *
  * Of a spring-damper the coefficients of the powers of the growth and of the rate, from the first;
  * of a viscoelastic element as PDN_NUMBER_STIFFNESS the long-term stiffness, then that of each
- * branch; of viscous dampers and bushings their matrices, column by column.
+ * branch; of viscous dampers and bushings their matrices, column by column. Of a spring-damper or
+ * viscoelastic element as PDN_NUMBER_REST the one coordinate at which it is free of effort.
  *
  * @param model  the model; not NULL
  * @param force  id of the force
- * @param number  PDN_NUMBER_STIFFNESS, PDN_NUMBER_DAMPING or PDN_NUMBER_RELAXATION_TIME
+ * @param number  PDN_NUMBER_STIFFNESS, PDN_NUMBER_DAMPING, PDN_NUMBER_RELAXATION_TIME or
+ *     PDN_NUMBER_REST
  * @param index  which of these, from 0; their count is in pdn_force_info
  * @param out  the number; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE
@@ -7388,8 +7480,7 @@ pdn_status pdn_model_relation_term(const struct pdn_model *model,
  * Values of a signal of the model in time.
  *
  * @param model  the model; not NULL
- * @param place  what has the signal: PDN_SIGNAL_OF_ACTUATOR, ...
- * @param id  its id, as in ::pdn_model_move_signal
+ * @param id  what has the signal, as in ::pdn_model_move_signal
  * @param component  of a load PDN_FORCE_1, ... or PDN_MOMENT_3, of gravity from 0 to 2; 0 for all
  *     else
  * @param period  period of the motion, that harmonics refer to [time]
@@ -7404,7 +7495,6 @@ pdn_status pdn_model_relation_term(const struct pdn_model *model,
  */
 PDN_API
 pdn_status pdn_model_sample_signal(const struct pdn_model *model,
-                                   int32_t place,
                                    int32_t id,
                                    int32_t component,
                                    double period,
@@ -7413,7 +7503,7 @@ pdn_status pdn_model_sample_signal(const struct pdn_model *model,
                                    double *values);
 
 /**
- * Number of loads on nodes; their ids follow each other from PDN_FIRST_LOAD on.
+ * Number of loads on nodes and at points; their ids follow each other from PDN_FIRST_LOAD on.
  *
  * @param model  the model; not NULL
  * @param count  the number; written on success only
@@ -7427,11 +7517,19 @@ pdn_status pdn_model_load_count(const struct pdn_model *model,
                                 int32_t *count);
 
 /**
- * A load on a node; its components are signals, ::pdn_model_sample_signal.
+ * A load on a node or at a point; its components are signals, ::pdn_model_sample_signal.
  *
  * @param model  the model; not NULL
  * @param load  id of the load
- * @param node  the node's id; written on success only
+ * @param node  id of the node that carries it, or -1 if a beam does; written on success only
+ * @param first_element  id of the first of the beam elements that carry it, or -1 if a node does;
+ *     written on success only
+ * @param elements  number of these, from the first on, 0 if there are none; written on success
+ *     only
+ * @param fraction  the place, as a fraction of the reference length of these elements, 0 if there
+ *     are none; written on success only
+ * @param offset  array of length 3: the point, from the node or the line of the beam, along the
+ *     axes of the node or section; may be NULL if it is not wanted; written on success only
  * @param frame  PDN_FRAME_SPACE or PDN_FRAME_MATERIAL; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
  *
@@ -7442,6 +7540,10 @@ PDN_API
 pdn_status pdn_model_load_at(const struct pdn_model *model,
                              int32_t load,
                              int32_t *node,
+                             int32_t *first_element,
+                             int32_t *elements,
+                             double *fraction,
+                             double *offset,
                              int32_t *frame);
 
 /**

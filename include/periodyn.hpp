@@ -59,7 +59,7 @@ constexpr std::int32_t first_force = PDN_FIRST_FORCE;
 constexpr std::int32_t first_relation = PDN_FIRST_RELATION;
 /** Id of the parameter that was added first. */
 constexpr std::int32_t first_parameter = PDN_FIRST_PARAMETER;
-/** Id of the load on a node that was added first. */
+/** Id of the load on a node, or at a point, that was added first. */
 constexpr std::int32_t first_load = PDN_FIRST_LOAD;
 /** Id of the load along beam elements that was added first. */
 constexpr std::int32_t first_beam_load = PDN_FIRST_BEAM_LOAD;
@@ -77,6 +77,8 @@ constexpr std::int32_t label_length = PDN_LABEL_LENGTH;
 constexpr std::int32_t all_components = PDN_ALL_COMPONENTS;
 /** A parameter: the circular frequency 2 pi / T, which every model has. */
 constexpr std::int32_t frequency = PDN_FREQUENCY;
+/** In place of an id: gravity, whose components have signals. */
+constexpr std::int32_t gravity = PDN_GRAVITY;
 ///@}
 
 /** @name Roles of constants */
@@ -161,7 +163,7 @@ enum class ObjectKind : std::int32_t {
     force = PDN_OBJECT_FORCE,
     /** What has a label: a linear relation between joint coordinates. */
     relation = PDN_OBJECT_RELATION,
-    /** What has a label: a load on a node. */
+    /** What has a label: a load on a node or at a point. */
     load = PDN_OBJECT_LOAD,
     /** What has a label: a load along beam elements. */
     beam_load = PDN_OBJECT_BEAM_LOAD,
@@ -484,23 +486,6 @@ enum class Number : std::int32_t {
     frame_rate = PDN_NUMBER_FRAME_RATE,
     /** Numbers of a force: relaxation times of the branches of a viscoelastic element. */
     relaxation_time = PDN_NUMBER_RELAXATION_TIME,
-};
-/** SignalOf: The signal of an actuator, a force. */
-enum class SignalOf : std::int32_t {
-    /** The signal of an actuator, a force. */
-    actuator = PDN_SIGNAL_OF_ACTUATOR,
-    /** The signal of a prescribed coordinate. */
-    prescribed = PDN_SIGNAL_OF_PRESCRIBED,
-    /** The signal of a component of a load on a node. */
-    load = PDN_SIGNAL_OF_LOAD,
-    /** The signal of a component of a load along beam elements. */
-    beam_load = PDN_SIGNAL_OF_BEAM_LOAD,
-    /** The signal of a component of gravity. */
-    gravity = PDN_SIGNAL_OF_GRAVITY,
-    /** The signal of a linear relation between joint coordinates. */
-    relation = PDN_SIGNAL_OF_RELATION,
-    /** The signal of a component of a load on shell elements. */
-    shell_load = PDN_SIGNAL_OF_SHELL_LOAD,
 };
 /** Part of a signal. */
 enum class SignalPart : std::int32_t {
@@ -869,6 +854,9 @@ struct ForceState {
      * rotation (::pdn_solve_static), along the global axes (PDN_FRAME_SPACE) or the node's own
      * (PDN_FRAME_MATERIAL). */
     const Entries<const double, 2> velocities{state.velocities, {6, state.node_count}};
+    /** Nodes whose motions tangents are by: all, as many as [node_count], or 1, the own node of
+     * each force, where nodes were declared apart (::pdn_model_declare_nodes_apart). */
+    const std::size_t column_count = state.column_count;
 };
 
 /** Where a user's forces go. */
@@ -879,13 +867,14 @@ struct ForceValues {
     const pdn_force_values &values;
     /** Force on each node and moment about it [force, force * length]. */
     const Entries<double, 2> forces{values.forces, {6, state.node_count}};
-    /** Derivatives of forces by displacements and turns. NULL if tangents are not wanted, or were
-     * said not to be given. */
+    /** Derivatives of forces by displacements and turns: of all nodes or, where nodes were declared
+     * apart, of the own node of each force. NULL if tangents are not wanted, or were said not to be
+     * given. */
     const Entries<double, 4> by_motion{values.by_motion, {6, state.node_count, 6,
-        state.node_count}};
+        state.column_count}};
     /** The same by velocities and angular velocities. */
     const Entries<double, 4> by_velocity{values.by_velocity, {6, state.node_count, 6,
-        state.node_count}};
+        state.column_count}};
 };
 
 /** What a controller reads. */
@@ -953,7 +942,8 @@ struct SurfaceState {
     const Entries<const double, 2> positions{state.positions, {3, state.point_count}};
     /** Rotation matrices, column by column; the columns are the axes of the point in global
      * coordinates, those of a follower load: on the surface axes 1, 2 and the normal, on an edge 1
-     * along it, 3 along the normal, and 2 = 3 * 1; along a beam those of its section. */
+     * along it, 3 along the normal, and 2 = 3 * 1; along a beam those of its section, or with
+     * PDN_FRAME_UNTWISTED those without twist. */
     const Entries<const double, 2> rotations{state.rotations, {9, state.point_count}};
     /** Velocity and angular velocity of each point relative to the inertial frame, also in a steady
      * rotation (::pdn_solve_static), along the global axes (PDN_FRAME_SPACE) or the point's own
@@ -1722,8 +1712,16 @@ struct ModelRelationTerm {
 
 /** What model_load_at gives. */
 struct ModelLoadAt {
-    /** The node's id. */
+    /** Id of the node that carries it, or -1 if a beam does. */
     std::int32_t node;
+    /** Id of the first of the beam elements that carry it, or -1 if a node does. */
+    std::int32_t first_element;
+    /** Number of these, from the first on, 0 if there are none. */
+    std::int32_t elements;
+    /** The place, as a fraction of the reference length of these elements, 0 if there are none. */
+    double fraction;
+    /** The point, from the node or the line of the beam, along the axes of the node or section. */
+    Vector3 offset;
     /** PDN_FRAME_SPACE or PDN_FRAME_MATERIAL. */
     Frame frame;
 };
@@ -2021,6 +2019,31 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         take([&] {
             return pdn_model_add_load(get(), node, detail::in(frame), detail::in(component),
                 &signal, &load);
+        }, signal);
+        return load;
+    }
+    /** Adds one component of a force or moment at a point that a node carries, in addition to those
+     * that are there: such as a thrust that acts off the node of a body. */
+    std::int32_t add_load_at_point(std::int32_t node, const Vector3 &offset, Frame frame,
+        Component component, const Signal &signal)
+    {
+        std::int32_t load = 0;
+        take([&] {
+            return pdn_model_add_load_at_point(get(), node, detail::in(offset), detail::in(frame),
+                detail::in(component), &signal, &load);
+        }, signal);
+        return load;
+    }
+    /** Adds one component of a force or moment at a fraction of the span of a beam, in addition to
+     * those that are there. */
+    std::int32_t add_load_on_beam(std::int32_t first_element, std::int32_t elements,
+        double fraction, Frame frame, Component component, const Signal &signal,
+        const std::optional<Vector3> &offset = {})
+    {
+        std::int32_t load = 0;
+        take([&] {
+            return pdn_model_add_load_on_beam(get(), first_element, elements, fraction,
+                detail::in(offset), detail::in(frame), detail::in(component), &signal, &load);
         }, signal);
         return load;
     }
@@ -2330,6 +2353,12 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         }, std::move(function));
         return force;
     }
+    /** Declares that the force on each node of a function's force depends on time and on the motion
+     * of this node alone, as that of the air on points of a wing by strips does. */
+    void declare_nodes_apart(std::int32_t force)
+    {
+        detail::check(pdn_model_declare_nodes_apart(get(), force));
+    }
     /** Compares the tangents that a user's function gives with differences of its forces. */
     pdn_tangent_check check_tangents(std::int32_t force, double period) const
     {
@@ -2408,13 +2437,13 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
      * element. */
     template <class Function>
     std::int32_t add_line_force(std::int32_t first_element, std::int32_t elements, Frame frame,
-        Tangents tangents, Function function)
+        const std::optional<Vector3> &axis_2, Tangents tangents, Function function)
     {
         std::int32_t first_force_ = 0;
         detail::hand_over([&](void *owned, pdn_destroy_fn destroy) {
             return pdn_model_add_line_force(get(), first_element, elements, detail::in(frame),
-                detail::in(tangents), &detail::surface_force_fn<Function>, owned, destroy,
-                &first_force_);
+                detail::in(axis_2), detail::in(tangents), &detail::surface_force_fn<Function>,
+                owned, destroy, &first_force_);
         }, std::move(function));
         return first_force_;
     }
@@ -2460,10 +2489,10 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         }, std::move(function));
     }
     /** Gives what follows a signal another one: a load, an actuator, a prescribed coordinate. */
-    void set_signal(SignalOf place, std::int32_t id, std::int32_t component, const Signal &signal)
+    void set_signal(std::int32_t id, std::int32_t component, const Signal &signal)
     {
         take([&] {
-            return pdn_model_set_signal(get(), detail::in(place), id, component, &signal);
+            return pdn_model_set_signal(get(), id, component, &signal);
         }, signal);
     }
     /** Gives a force other numbers of a sort, as many as it has: those that
@@ -2473,6 +2502,12 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         const std::size_t count = values.size();
         detail::check(pdn_model_set_force_numbers(get(), force, detail::in(number),
             detail::in(values), count));
+    }
+    /** Gives a load, on a node, at a point, along beam elements or on shell elements, another
+     * frame; its signals stay. */
+    void set_load_frame(std::int32_t load, Frame frame, const std::optional<Vector3> &axis_2 = {})
+    {
+        detail::check(pdn_model_set_load_frame(get(), load, detail::in(frame), detail::in(axis_2)));
     }
     /** Gives beam elements another section, the same all along them; their twist stays, and so do
      * the factors of parameters. */
@@ -2495,16 +2530,16 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     }
     /** Gives a node, joint, element, force, load or the like a label, in place of the one that it
      * has. */
-    void set_label(ObjectKind kind, std::int32_t id, const std::optional<std::string> &label = {})
+    void set_label(std::int32_t id, const std::optional<std::string> &label = {})
     {
-        detail::check(pdn_model_set_label(get(), detail::in(kind), id, detail::in(label)));
+        detail::check(pdn_model_set_label(get(), id, detail::in(label)));
     }
     /** The label of a node, joint, element, force, load or the like. */
-    std::string label(ObjectKind kind, std::int32_t id) const
+    std::string label(std::int32_t id) const
     {
         detail::in(this, "model");
         return detail::text([&](char *buffer, std::size_t capacity) {
-            return pdn_model_label(get(), detail::in(kind), id, buffer, capacity);
+            return pdn_model_label(get(), id, buffer, capacity);
         });
     }
     /** The node, joint, element, force, load or the like that has a label. */
@@ -2562,11 +2597,11 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
     }
     /** Lets a parameter move a part of a signal: it becomes `factor` times the parameter's value,
      * now and whenever that changes. */
-    void move_signal(std::int32_t parameter, SignalOf place, std::int32_t id,
-        std::int32_t component, SignalPart part, double factor)
+    void move_signal(std::int32_t parameter, std::int32_t id, std::int32_t component,
+        SignalPart part, double factor)
     {
-        detail::check(pdn_model_move_signal(get(), parameter, detail::in(place), id, component,
-            detail::in(part), factor));
+        detail::check(pdn_model_move_signal(get(), parameter, id, component, detail::in(part),
+            factor));
     }
     /** Gives a parameter another value, and all that it moves. */
     void set_parameter(std::int32_t parameter, double value)
@@ -2685,29 +2720,35 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         return {joint, static_cast<Coordinate>(coordinate), coefficient};
     }
     /** Values of a signal of the model in time. */
-    std::vector<double> sample_signal(SignalOf place, std::int32_t id, std::int32_t component,
-        double period, const std::vector<double> &times) const
+    std::vector<double> sample_signal(std::int32_t id, std::int32_t component, double period,
+        const std::vector<double> &times) const
     {
         const std::size_t count = times.size();
         std::vector<double> values(count);
-        detail::check(pdn_model_sample_signal(get(), detail::in(place), id, component, period,
-            detail::in(times), count, values.data()));
+        detail::check(pdn_model_sample_signal(get(), id, component, period, detail::in(times),
+            count, values.data()));
         return values;
     }
-    /** Number of loads on nodes; their ids follow each other from PDN_FIRST_LOAD on. */
+    /** Number of loads on nodes and at points; their ids follow each other from PDN_FIRST_LOAD
+     * on. */
     std::int32_t load_count() const
     {
         std::int32_t count = 0;
         detail::check(pdn_model_load_count(get(), &count));
         return count;
     }
-    /** A load on a node; its components are signals, ::pdn_model_sample_signal. */
+    /** A load on a node or at a point; its components are signals, ::pdn_model_sample_signal. */
     ModelLoadAt load_at(std::int32_t load) const
     {
         std::int32_t node = 0;
+        std::int32_t first_element = 0;
+        std::int32_t elements = 0;
+        double fraction = 0;
+        Vector3 offset{};
         std::int32_t frame = 0;
-        detail::check(pdn_model_load_at(get(), load, &node, &frame));
-        return {node, static_cast<Frame>(frame)};
+        detail::check(pdn_model_load_at(get(), load, &node, &first_element, &elements, &fraction,
+            offset.data(), &frame));
+        return {node, first_element, elements, fraction, offset, static_cast<Frame>(frame)};
     }
     /** Number of loads along beam elements; their ids follow each other from PDN_FIRST_BEAM_LOAD
      * on. */

@@ -10,7 +10,7 @@ ROLES = dict.fromkeys(range(1, 7), "Kind") | {
     10: "ObjectKind", 11: "ForceKind", 13: "JointKind", 14: "Coordinate", 16: "Frame",
     17: "Component", 19: "ShellFrames", 20: "ShellPlace", 21: "BushingAngles", 22: "Tangents",
     23: "Tangent", 24: "Outcome", 25: "Decay", 29: "Feature", 31: "Filter", 32: "Stage",
-    33: "Start", 34: "TimeMap", 35: "Linear", 36: "Number", 37: "SignalOf", 38: "SignalPart",
+    33: "Start", 34: "TimeMap", 35: "Linear", 36: "Number", 38: "SignalPart",
     39: "SensitivityMethod", 40: "BranchEnd", 41: "BranchEvent", 42: "Verdict"}
 # What functions that return a number or a negative status tell.
 TOLD = {"outcome": "Outcome", "end": "BranchEnd", "components": "std::size_t"}

@@ -71,23 +71,35 @@ fn twisted_rod(curved: bool) -> Model {
 
 /// What a function that returns a load, linear from `from` to `to` over the last two of the three
 /// elements, and the load itself move the rod by differently, and how far it moves.
-fn apart_from_load(curved: bool, frame: LoadFrame, [from, to]: [f64; 2], given: bool) -> [f64; 2] {
+fn apart_from_load(
+    curved: bool,
+    frame: BeamLoadFrame,
+    [from, to]: [f64; 2],
+    given: bool,
+) -> [f64; 2] {
     let load = [30.0, -20.0, 50.0, 2.0, 4.0, -3.0];
     let mut loaded = twisted_rod(curved);
     loaded
         .add_distributed_load(DistributedLoadDefinition {
             first_element: 1,
             elements: 2,
-            frame: frame.into(),
+            frame,
             components: load.map(|x| Some(Signal::constant(x).unwrap())),
             factors: vec![(0.0, from), (1.0, to)],
         })
         .unwrap();
     let expected = motions(&statics(&loaded));
     let mut model = twisted_rod(curved);
+    let (place, frame) = match frame {
+        BeamLoadFrame::Space => (ForcePlace::Line, LoadFrame::Space),
+        BeamLoadFrame::Follower => (ForcePlace::Line, LoadFrame::Follower),
+        BeamLoadFrame::Untwisted(axis_2) => {
+            (ForcePlace::UntwistedLine(axis_2), LoadFrame::Follower)
+        }
+    };
     // The tangents are zero.
     let law = law(frame, given, move |state, out| {
-        assert_eq!(state.place, ForcePlace::Line);
+        assert_eq!(state.place, place);
         for (force, [xi, eta]) in out.forces.iter_mut().zip(state.places) {
             assert_eq!(*eta, 0.0);
             let fraction = 0.5 * ((state.element - 1) as f64 + 0.5 * (xi + 1.0));
@@ -95,7 +107,7 @@ fn apart_from_load(curved: bool, frame: LoadFrame, [from, to]: [f64; 2], given: 
         }
         Ok(())
     });
-    let first = model.add_surface_forces(1, 2, ForcePlace::Line, law);
+    let first = model.add_surface_forces(1, 2, place, law);
     assert_eq!(first.unwrap(), 0);
     let found = motions(&statics(&model));
     let free = motions(&statics(&twisted_rod(curved)));
@@ -107,7 +119,8 @@ fn apart_from_load(curved: bool, frame: LoadFrame, [from, to]: [f64; 2], given: 
 
 #[test]
 fn functions_that_do_not_depend_on_the_motion_are_loads() {
-    for frame in [LoadFrame::Space, LoadFrame::Follower] {
+    let untwisted = BeamLoadFrame::Untwisted(Vector3::new(0.1, 0.7, 0.4));
+    for frame in [BeamLoadFrame::Space, BeamLoadFrame::Follower, untwisted] {
         for given in [true, false] {
             // Constant loads are integrated as loads are, whatever the line; linear ones by the
             // same rule where the length for a unit of ξ is the same.
@@ -463,6 +476,12 @@ fn what_cannot_be_is_refused() {
     for (first, elements, place, kind) in [
         (3, 1, ForcePlace::Line, ErrorKind::Identifier),
         (1, 3, ForcePlace::Line, ErrorKind::Size),
+        (
+            1,
+            2,
+            ForcePlace::UntwistedLine(Vector3::zeros()),
+            ErrorKind::Value,
+        ),
         (0, 0, ForcePlace::Line, ErrorKind::Size),
         // There is no shell.
         (0, 1, ForcePlace::Surface, ErrorKind::Identifier),

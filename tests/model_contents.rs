@@ -204,7 +204,7 @@ fn a_loaded_model_tells_what_it_holds() {
         // Column by column: row 3 of column 0.
         assert_eq!(matrix[3], 0.1 * 3.0);
         assert_eq!(model.force(3).unwrap().numbers(Damping)[1], 0.2);
-        assert_eq!(model.force(0).unwrap().rest(), 0.7);
+        assert_eq!(model.force(0).unwrap().numbers(ForceNumber::Rest), [0.7]);
         assert_eq!(model.force(5).unwrap().user_nodes().len(), 2);
         assert!(model.force(4).unwrap().ends().is_some());
         assert!(model.force(8).is_err());

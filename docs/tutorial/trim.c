@@ -8,8 +8,7 @@ int main(void)
     int32_t pitch;
     TRY(pdn_model_add_parameter(r.model, "collective pitch", 0.02, 0.1, &pitch));
     for (int b = 0; b < BLADES; ++b) {
-        TRY(pdn_model_move_signal(r.model, pitch, PDN_SIGNAL_OF_PRESCRIBED, r.pitches[b], 0,
-                                  PDN_PART_MEAN, 1));
+        TRY(pdn_model_move_signal(r.model, pitch, r.pitches[b], 0, PDN_PART_MEAN, 1));
     }
     const pdn_quantity held = *PDN_QUANTITY(PDN_JOINT_REACTION, r.shaft, 0);
     pdn_conditions *conditions = NULL;

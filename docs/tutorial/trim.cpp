@@ -6,8 +6,7 @@ int main()
     Rotor rotor(5, 0.02);
     const auto pitch = rotor.model.add_parameter("collective pitch", 0.02, 0.1);
     for (const auto bearing : rotor.pitches) {
-        rotor.model.move_signal(pitch, pdn::SignalOf::prescribed, bearing, 0,
-                                pdn::SignalPart::mean, 1);
+        rotor.model.move_signal(pitch, bearing, 0, pdn::SignalPart::mean, 1);
     }
     const auto held = pdn::Quantity(pdn::Kind::joint_reaction, rotor.shaft).with_component(0);
     pdn::Conditions conditions;

@@ -12,8 +12,7 @@ program trim_program
     call build_rotor(r, 5.0_dp, 0.02_dp)
     call r%model%add_parameter('collective pitch', 0.02_dp, 0.1_dp, pitch)
     do b = 1, 3
-        call r%model%move_signal(pitch, PDN_SIGNAL_OF_PRESCRIBED, r%pitches(b), 0, PDN_PART_MEAN, &
-            1.0_dp)
+        call r%model%move_signal(pitch, r%pitches(b), 0, PDN_PART_MEAN, 1.0_dp)
     end do
     held = pdn_quantity_of(PDN_JOINT_REACTION, r%shaft, 0)
     call conditions%new()

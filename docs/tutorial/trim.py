@@ -8,7 +8,7 @@ rotor = Rotor(speed=5.0, pitch=0.02)
 model = rotor.model
 pitch = model.add_parameter("collective pitch", 0.02, 0.1)
 for bearing in rotor.pitches:
-    model.move_signal(pitch, pdn.SIGNAL_OF_PRESCRIBED, bearing, 0, pdn.PART_MEAN, 1.0)
+    model.move_signal(pitch, bearing, 0, pdn.PART_MEAN, 1.0)
 held = pdn.Quantity(pdn.JOINT_REACTION, rotor.shaft, 0)
 conditions = pdn.Conditions()
 conditions.release(pitch)

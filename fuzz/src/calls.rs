@@ -395,7 +395,7 @@ impl Session<'_, '_> {
         let label = [b'a' + self.bytes.byte() % 4, 0];
         let label = label.as_ptr().cast();
         let object = self.bytes.constant(PDN_FIRST_JOINT, joints);
-        call!(pdn_model_set_label(self.model, kind, object, label));
+        call!(pdn_model_set_label(self.model, object, label));
         call!(pdn_model_find_label(self.model, kind, label, &mut id))
     }
 
@@ -411,14 +411,27 @@ impl Session<'_, '_> {
         let component = self.bytes.constant(PDN_FORCE_1, 6);
         let mut arrays = Arrays::default();
         let signal = given::signal(self.bytes, &mut arrays);
-        call!(pdn_model_add_load(
-            self.model,
-            node,
-            frame,
-            component,
-            &signal,
-            null_mut()
-        ));
+        let offset = self.bytes.numbers::<3>();
+        let offset = match self.bytes.rarely(3) {
+            true => null(),
+            false => offset.as_ptr(),
+        };
+        let load = null_mut();
+        match self.bytes.below(3) {
+            0 => call!(pdn_model_add_load(
+                self.model, node, frame, component, &signal, load
+            )),
+            1 => call!(pdn_model_add_load_at_point(
+                self.model, node, offset, frame, component, &signal, load
+            )),
+            _ => {
+                let (first, count) = (PDN_FIRST_BEAM_ELEMENT, self.bytes.below(3) as i32);
+                let fraction = self.bytes.number();
+                call!(pdn_model_add_load_on_beam(
+                    self.model, first, count, fraction, offset, frame, component, &signal, load
+                ))
+            }
+        };
     }
 
     fn parameter(&mut self) {

@@ -90,7 +90,7 @@ FIRST_RELATION = 600000000
 FIRST_PARAMETER = 700000000
 """Id of the parameter that was added first."""
 FIRST_LOAD = 800000000
-"""Id of the load on a node that was added first."""
+"""Id of the load on a node, or at a point, that was added first."""
 FIRST_BEAM_LOAD = 900000000
 """Id of the load along beam elements that was added first."""
 FIRST_SHELL_LOAD = 1000000000
@@ -226,7 +226,7 @@ OBJECT_FORCE = 1004
 OBJECT_RELATION = 1005
 """What has a label: a linear relation between joint coordinates."""
 OBJECT_LOAD = 1006
-"""What has a label: a load on a node."""
+"""What has a label: a load on a node or at a point."""
 OBJECT_BEAM_LOAD = 1007
 """What has a label: a load along beam elements."""
 OBJECT_SHELL_LOAD = 1008
@@ -451,20 +451,6 @@ NUMBER_FRAME_RATE = 3613
 """A parameter moves the rate of the frame that everything is described in,
 Model.set_turning_frame.
 """
-SIGNAL_OF_ACTUATOR = 3700
-"""The signal of an actuator, a force."""
-SIGNAL_OF_PRESCRIBED = 3701
-"""The signal of a prescribed coordinate."""
-SIGNAL_OF_LOAD = 3702
-"""The signal of a component of a load on a node."""
-SIGNAL_OF_BEAM_LOAD = 3703
-"""The signal of a component of a load along beam elements."""
-SIGNAL_OF_GRAVITY = 3704
-"""The signal of a component of gravity."""
-SIGNAL_OF_RELATION = 3705
-"""The signal of a linear relation between joint coordinates."""
-SIGNAL_OF_SHELL_LOAD = 3706
-"""The signal of a component of a load on shell elements."""
 PART_MEAN = 3800
 """Part of a signal: the mean that is added to its shape."""
 PART_RATE = 3801
@@ -476,6 +462,8 @@ PART_PHASE = 3803
 """Part of a signal: the phase by which its shape is ahead [radians]."""
 FREQUENCY = -3
 """A parameter: the circular frequency 2 pi / T, which every model has."""
+GRAVITY = -4
+"""In place of an id: gravity, whose components have signals."""
 FORCE_IS_SPRING_DAMPER = 1100
 """Kind of force: springs and dampers on a joint coordinate."""
 FORCE_IS_ACTUATOR = 1101
@@ -1517,6 +1505,11 @@ class ForceInfo(Struct):
     """Where on it: SHELL_SURFACE or an edge; else -1."""
     beam_element = Number("beam_element")
     """Of forces of the user along a beam, id of the element; else -1."""
+    nodes_apart = Number("nodes_apart")
+    """Of forces of the user on nodes, 1 if these were declared apart; else 0."""
+    axis_2 = Array("axis_2", (3,))
+    """Of forces of the user along a beam with FRAME_UNTWISTED, the direction axis_2; else zero.
+    """
 
 
 class SensitivityOptions(Struct):
@@ -3165,7 +3158,7 @@ class Model(ModelExtras):
     def add_load(self, node, frame, component, signal):
         """Adds one component of a force or moment on a node, in addition to those that are there.
 
-        A force acts at the node's origin.
+        A force acts at the node's origin; Model.add_load_at_point takes another point.
 
         Args:
             node: id of the node
@@ -3181,6 +3174,91 @@ class Model(ModelExtras):
         signal = as_signal(signal, self._kept, "signal")
         load = ffi.new("int32_t *")
         call(lib.pdn_model_add_load, self._c, node, frame, component, signal, load)
+        return load[0]
+
+    def add_load_at_point(self, node, offset, frame, component, signal):
+        """Adds one component of a force or moment at a point that a node carries, in addition to
+        those that are there: such as a thrust that acts off the node of a body.
+
+        The point moves with the node, and so does the arm of the force about the node.
+
+        Args:
+            node: id of the node
+            offset: array of shape (3): the point, from the node's origin, along the node's axes
+                [length]
+            frame: FRAME_SPACE: directions of the global axes; FRAME_MATERIAL: of the node's
+                axes, which the load follows
+            component: FORCE_1, FORCE_2, FORCE_3 [force], MOMENT_1, MOMENT_2 or MOMENT_3 [force
+                * length]
+            signal: the component in time, copied; a number, a Signal, or a function of time
+
+        Returns:
+            load: the load's id
+        """
+        offset = reals("offset", offset, (3,))
+        signal = as_signal(signal, self._kept, "signal")
+        load = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_add_load_at_point,
+            self._c,
+            node,
+            pointer(offset),
+            frame,
+            component,
+            signal,
+            load,
+        )
+        return load[0]
+
+    def add_load_on_beam(
+        self,
+        first_element,
+        elements,
+        fraction,
+        frame,
+        component,
+        signal,
+        offset=None,
+    ):
+        """Adds one component of a force or moment at a fraction of the span of a beam, in addition
+        to those that are there.
+
+        It moves with the section there. Internal forces jump at such a place, which an element
+        smooths unless a node is there: next to the load they are more accurate on a mesh with a
+        boundary there, as Model.add_beam_between makes it. The ends of elements are nodes.
+
+        Args:
+            first_element: id of the first beam element, such as the first_element of a Beam
+            elements: number of elements, from the first on, such as the elements of a Beam; at
+                least 1
+            fraction: the place, as a fraction of the reference length of these elements, from 0
+                to 1
+            offset: array of shape (3): the point, from the line of the beam, along the
+                section's axes [length]; None for a point of the line
+            frame: FRAME_SPACE: directions of the global axes; FRAME_MATERIAL: of the section's
+                axes, which the load follows
+            component: FORCE_1, FORCE_2, FORCE_3 [force], MOMENT_1, MOMENT_2 or MOMENT_3 [force
+                * length]
+            signal: the component in time, copied; a number, a Signal, or a function of time
+
+        Returns:
+            load: the load's id, as of a load on a node
+        """
+        offset = reals("offset", offset, (3,))
+        signal = as_signal(signal, self._kept, "signal")
+        load = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_add_load_on_beam,
+            self._c,
+            first_element,
+            elements,
+            fraction,
+            pointer(offset),
+            frame,
+            component,
+            signal,
+            load,
+        )
         return load[0]
 
     def set_gravity(self, acceleration):
@@ -4088,7 +4166,8 @@ class Model(ModelExtras):
                 FRAME_MATERIAL: along those of each node
             tangents: TANGENTS_GIVEN if the function writes tangents, which Model.check_tangents
                 checks; TANGENTS_DIFFERENCED if the library is to find them by differences, at
-                the price of 24 calls a node
+                the price of 24 calls a node, or 24 for all where Model.declare_nodes_apart says
+                that no node matters to others
             function: the forces
 
         Returns:
@@ -4111,6 +4190,20 @@ class Model(ModelExtras):
             force,
         )
         return force[0]
+
+    def declare_nodes_apart(self, force):
+        """Declares that the force on each node of a function's force depends on time and on the
+        motion of this node alone, as that of the air on points of a wing by strips does.
+
+        Then the force couples no nodes with each other, so that solves take less time; tangents
+        are of each force by its own node (pdn_force_state), and differences of all nodes are
+        found at once, by 24 calls. Solves compare a few calls and refuse, with ERR_MODEL,
+        forces that are not so.
+
+        Args:
+            force: id of a force by Model.add_user_force
+        """
+        call(lib.pdn_model_declare_nodes_apart, self._c, force)
 
     def check_tangents(self, force, period):
         """Compares the tangents that a user's function gives with differences of its forces.
@@ -4298,7 +4391,7 @@ class Model(ModelExtras):
         )
         return first_force[0]
 
-    def add_line_force(self, first_element, elements, frame, tangents, function):
+    def add_line_force(self, first_element, elements, frame, tangents, function, axis_2=None):
         """Adds forces along beam elements that a function of the caller computes at the points of
         a quadrature, such as those of the air on a blade: a force, with an id of its own, for
         each element.
@@ -4314,7 +4407,11 @@ class Model(ModelExtras):
             elements: number of elements, from the first on, such as the elements of a Beam; at
                 least 1
             frame: FRAME_SPACE: velocities, forces and tangents are along the global axes;
-                FRAME_MATERIAL: along those of the section at each point, twisted as they are
+                FRAME_MATERIAL: along those of the section at each point, twisted as they are;
+                FRAME_UNTWISTED: along the axes of Model.add_load_at_places, which rotations of
+                the points are then of, too
+            axis_2: array of shape (3): direction, global coordinates, of any nonzero length,
+                nowhere along the line; read for FRAME_UNTWISTED only, else it
             tangents: TANGENTS_GIVEN if the function writes tangents, which Model.check_tangents
                 checks; TANGENTS_DIFFERENCED if the library is to find them by differences, at
                 the price of 24 calls an element
@@ -4323,6 +4420,7 @@ class Model(ModelExtras):
         Returns:
             first_force: id of the force on the first element, which those on the others follow
         """
+        axis_2 = reals("axis_2", axis_2, (3,))
         function = _callbacks.surface_force(function, self._kept)
         first_force = ffi.new("int32_t *")
         call(
@@ -4331,6 +4429,7 @@ class Model(ModelExtras):
             first_element,
             elements,
             frame,
+            pointer(axis_2),
             tangents,
             function.function,
             function.data,
@@ -4410,7 +4509,8 @@ class Model(ModelExtras):
             first_force: id of the first of the forces, by Model.add_surface_force or
                 Model.add_line_force; Model.find_label finds it by its label
             forces: number of forces, in order: one on each element, at least 1
-            frame: FRAME_SPACE or FRAME_MATERIAL, as in Model.add_surface_force
+            frame: FRAME_SPACE or FRAME_MATERIAL, as in Model.add_surface_force; the latter,
+                too, of forces along beams with FRAME_UNTWISTED, whose axes the model keeps
             tangents: TANGENTS_GIVEN or TANGENTS_DIFFERENCED
             function: the forces
         """
@@ -4427,21 +4527,20 @@ class Model(ModelExtras):
             ffi.NULL,
         )
 
-    def set_signal(self, place, id, component, signal):
+    def set_signal(self, id, component, signal):
         """Gives what follows a signal another one: a load, an actuator, a prescribed coordinate.
         In a model from a file this brings back signals by functions, too.
 
         Parts of it that parameters move have the parameters' values again.
 
         Args:
-            place: what has the signal: SIGNAL_OF_ACTUATOR,
-            id: its id: of a force, prescribed coordinate, load or relation; 0 for gravity
+            id: what has the signal, as in Model.move_signal
             component: of a load FORCE_1, ... or MOMENT_3, one that has a signal; of gravity
                 from 0 to 2; 0 for all else
             signal: the other signal, copied; a number, a Signal, or a function of time
         """
         signal = as_signal(signal, self._kept, "signal")
-        call(lib.pdn_model_set_signal, self._c, place, id, component, signal)
+        call(lib.pdn_model_set_signal, self._c, id, component, signal)
 
     def set_force_numbers(self, force, number, values):
         """Gives a force other numbers of a sort, as many as it has: those that Model.force_number
@@ -4449,12 +4548,25 @@ class Model(ModelExtras):
 
         Args:
             force: id of the force
-            number: NUMBER_STIFFNESS, NUMBER_DAMPING or NUMBER_RELAXATION_TIME
+            number: NUMBER_STIFFNESS, NUMBER_DAMPING, NUMBER_RELAXATION_TIME or NUMBER_REST
             values: array of shape (count): the numbers, in the order of Model.force_number
         """
         values = reals("values", values, (None,))
         _count = len(values)
         call(lib.pdn_model_set_force_numbers, self._c, force, number, pointer(values), _count)
+
+    def set_load_frame(self, load, frame, axis_2=None):
+        """Gives a load, on a node, at a point, along beam elements or on shell elements, another
+        frame; its signals stay.
+
+        Args:
+            load: id of the load, beam load or shell load
+            frame: FRAME_SPACE or FRAME_MATERIAL; along beams also FRAME_UNTWISTED
+            axis_2: array of shape (3): as in Model.add_load_at_places; read for FRAME_UNTWISTED
+                only, else it
+        """
+        axis_2 = reals("axis_2", axis_2, (3,))
+        call(lib.pdn_model_set_load_frame, self._c, load, frame, pointer(axis_2))
 
     def set_beam_section(self, first_element, elements, section):
         """Gives beam elements another section, the same all along them; their twist stays, and so
@@ -4494,7 +4606,7 @@ class Model(ModelExtras):
         matrix = reals("matrix", matrix, (6, 6), turned=True)
         call(lib.pdn_model_set_inertia, self._c, inertia, pointer(matrix))
 
-    def set_label(self, kind, id, label=None):
+    def set_label(self, id, label=None):
         """Gives a node, joint, element, force, load or the like a label, in place of the one that
         it has.
 
@@ -4502,22 +4614,20 @@ class Model(ModelExtras):
         saved and copied with the model, and solutions keep those that it has when it is solved.
 
         Args:
-            kind: OBJECT_NODE to OBJECT_PRESCRIBED
             id: its id
             label: text in UTF-8 of at most LABEL_LENGTH bytes, without quotes (") and control
                 characters, that no other object of this kind has; empty or None to take the
                 label away
         """
-        call(lib.pdn_model_set_label, self._c, kind, id, text(label))
+        call(lib.pdn_model_set_label, self._c, id, text(label))
 
-    def label(self, kind, id):
+    def label(self, id):
         """The label of a node, joint, element, force, load or the like.
 
         Args:
-            kind: OBJECT_NODE to OBJECT_PRESCRIBED
             id: its id
         """
-        return text.of(lib.pdn_model_label, self._c, kind, id)
+        return text.of(lib.pdn_model_label, self._c, id)
 
     def find_label(self, kind, label):
         """The node, joint, element, force, load or the like that has a label.
@@ -4810,20 +4920,20 @@ class Model(ModelExtras):
         """
         call(lib.pdn_model_move_number, self._c, parameter, number, id, power, factor)
 
-    def move_signal(self, parameter, place, id, component, part, factor):
+    def move_signal(self, parameter, id, component, part, factor):
         """Lets a parameter move a part of a signal: it becomes `factor` times the parameter's
         value, now and whenever that changes.
 
         Args:
             parameter: id of the parameter
-            place: what has the signal: SIGNAL_OF_ACTUATOR,
-            id: its id: of a force, prescribed coordinate, load or relation; 0 for gravity
+            id: what has the signal: id of an actuator (a force), prescribed coordinate, load
+                (on a node, along beams, on shells) or relation; or GRAVITY
             component: of a load FORCE_1, ... or MOMENT_3, of gravity from 0 to 2; 0 for all
                 else
             part: PART_MEAN, PART_RATE, PART_AMPLITUDE or PART_PHASE
             factor: the part for a unit of the parameter, not zero
         """
-        call(lib.pdn_model_move_signal, self._c, parameter, place, id, component, part, factor)
+        call(lib.pdn_model_move_signal, self._c, parameter, id, component, part, factor)
 
     def set_parameter(self, parameter, value):
         """Gives a parameter another value, and all that it moves.
@@ -4886,10 +4996,12 @@ class Model(ModelExtras):
         Of a spring-damper the coefficients of the powers of the growth and of the rate, from
         the first; of a viscoelastic element as NUMBER_STIFFNESS the long-term stiffness, then
         that of each branch; of viscous dampers and bushings their matrices, column by column.
+        Of a spring-damper or viscoelastic element as NUMBER_REST the one coordinate at which it
+        is free of effort.
 
         Args:
             force: id of the force
-            number: NUMBER_STIFFNESS, NUMBER_DAMPING or NUMBER_RELAXATION_TIME
+            number: NUMBER_STIFFNESS, NUMBER_DAMPING, NUMBER_RELAXATION_TIME or NUMBER_REST
             index: which of these, from 0; their count is in pdn_force_info
 
         Returns:
@@ -5052,12 +5164,11 @@ class Model(ModelExtras):
         )
         return joint[0], coordinate[0], coefficient[0]
 
-    def sample_signal(self, place, id, component, period, times):
+    def sample_signal(self, id, component, period, times):
         """Values of a signal of the model in time.
 
         Args:
-            place: what has the signal: SIGNAL_OF_ACTUATOR,
-            id: its id, as in Model.move_signal
+            id: what has the signal, as in Model.move_signal
             component: of a load FORCE_1, ... or MOMENT_3, of gravity from 0 to 2; 0 for all
                 else
             period: period of the motion, that harmonics refer to [time]
@@ -5072,7 +5183,6 @@ class Model(ModelExtras):
         call(
             lib.pdn_model_sample_signal,
             self._c,
-            place,
             id,
             component,
             period,
@@ -5083,7 +5193,7 @@ class Model(ModelExtras):
         return values
 
     def load_count(self):
-        """Number of loads on nodes; their ids follow each other from FIRST_LOAD on.
+        """Number of loads on nodes and at points; their ids follow each other from FIRST_LOAD on.
 
         Returns:
             count: the number
@@ -5093,19 +5203,40 @@ class Model(ModelExtras):
         return count[0]
 
     def load_at(self, load):
-        """A load on a node; its components are signals, Model.sample_signal.
+        """A load on a node or at a point; its components are signals, Model.sample_signal.
 
         Args:
             load: id of the load
 
         Returns:
-            node: the node's id
+            node: id of the node that carries it, or -1 if a beam does
+            first_element: id of the first of the beam elements that carry it, or -1 if a node
+                does
+            elements: number of these, from the first on, 0 if there are none
+            fraction: the place, as a fraction of the reference length of these elements, 0 if
+                there are none
+            offset, of shape (3): the point, from the node or the line of the beam, along the
+                axes of the node or section
             frame: FRAME_SPACE or FRAME_MATERIAL
         """
         node = ffi.new("int32_t *")
+        first_element = ffi.new("int32_t *")
+        elements = ffi.new("int32_t *")
+        fraction = ffi.new("double *")
+        offset = reals.empty((3,))
         frame = ffi.new("int32_t *")
-        call(lib.pdn_model_load_at, self._c, load, node, frame)
-        return node[0], frame[0]
+        call(
+            lib.pdn_model_load_at,
+            self._c,
+            load,
+            node,
+            first_element,
+            elements,
+            fraction,
+            pointer(offset),
+            frame,
+        )
+        return node[0], first_element[0], elements[0], fraction[0], offset, frame[0]
 
     def beam_load_count(self):
         """Number of loads along beam elements; their ids follow each other from FIRST_BEAM_LOAD

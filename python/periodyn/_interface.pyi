@@ -197,18 +197,12 @@ NUMBER_SHELL_MASS: int
 NUMBER_SHELL_DAMPING: int
 NUMBER_SHELL_THICKNESS: int
 NUMBER_FRAME_RATE: int
-SIGNAL_OF_ACTUATOR: int
-SIGNAL_OF_PRESCRIBED: int
-SIGNAL_OF_LOAD: int
-SIGNAL_OF_BEAM_LOAD: int
-SIGNAL_OF_GRAVITY: int
-SIGNAL_OF_RELATION: int
-SIGNAL_OF_SHELL_LOAD: int
 PART_MEAN: int
 PART_RATE: int
 PART_AMPLITUDE: int
 PART_PHASE: int
 FREQUENCY: int
+GRAVITY: int
 FORCE_IS_SPRING_DAMPER: int
 FORCE_IS_ACTUATOR: int
 FORCE_IS_COORDINATE_LAW: int
@@ -510,6 +504,8 @@ class ForceInfo(Struct):
     shell_element: int
     shell_place: int
     beam_element: int
+    nodes_apart: int
+    axis_2: NDArray[numpy.float64]
 
 
 class SensitivityOptions(Struct):
@@ -930,6 +926,26 @@ class Model(ModelExtras):
 
     def add_load(self, node: int, frame: int, component: int, signal: _SignalLike) -> int: ...
 
+    def add_load_at_point(
+        self,
+        node: int,
+        offset: ArrayLike,
+        frame: int,
+        component: int,
+        signal: _SignalLike,
+    ) -> int: ...
+
+    def add_load_on_beam(
+        self,
+        first_element: int,
+        elements: int,
+        fraction: float,
+        frame: int,
+        component: int,
+        signal: _SignalLike,
+        offset: ArrayLike | None = ...,
+    ) -> int: ...
+
     def set_gravity(self, acceleration: ArrayLike) -> None: ...
 
     def set_gravity_signals(
@@ -1129,6 +1145,8 @@ class Model(ModelExtras):
         function: Callable[..., object],
     ) -> int: ...
 
+    def declare_nodes_apart(self, force: int) -> None: ...
+
     def check_tangents(self, force: int, period: float) -> TangentCheck: ...
 
     def add_controller(
@@ -1166,6 +1184,7 @@ class Model(ModelExtras):
         frame: int,
         tangents: int,
         function: Callable[..., object],
+        axis_2: ArrayLike | None = ...,
     ) -> int: ...
 
     def bind_controller(
@@ -1199,9 +1218,11 @@ class Model(ModelExtras):
         function: Callable[..., object],
     ) -> None: ...
 
-    def set_signal(self, place: int, id: int, component: int, signal: _SignalLike) -> None: ...
+    def set_signal(self, id: int, component: int, signal: _SignalLike) -> None: ...
 
     def set_force_numbers(self, force: int, number: int, values: ArrayLike) -> None: ...
+
+    def set_load_frame(self, load: int, frame: int, axis_2: ArrayLike | None = ...) -> None: ...
 
     def set_beam_section(
         self,
@@ -1219,8 +1240,8 @@ class Model(ModelExtras):
 
     def set_inertia(self, inertia: int, matrix: ArrayLike) -> None: ...
 
-    def set_label(self, kind: int, id: int, label: str | None = ...) -> None: ...
-    def label(self, kind: int, id: int) -> str: ...
+    def set_label(self, id: int, label: str | None = ...) -> None: ...
+    def label(self, id: int) -> str: ...
 
     def find_label(self, kind: int, label: str) -> int: ...
 
@@ -1289,7 +1310,6 @@ class Model(ModelExtras):
     def move_signal(
         self,
         parameter: int,
-        place: int,
         id: int,
         component: int,
         part: int,
@@ -1330,7 +1350,6 @@ class Model(ModelExtras):
 
     def sample_signal(
         self,
-        place: int,
         id: int,
         component: int,
         period: float,
@@ -1339,7 +1358,7 @@ class Model(ModelExtras):
 
     def load_count(self) -> int: ...
 
-    def load_at(self, load: int) -> tuple[int, int]: ...
+    def load_at(self, load: int) -> tuple[int, int, int, float, NDArray[numpy.float64], int]: ...
 
     def beam_load_count(self) -> int: ...
 

@@ -59,9 +59,9 @@ def test_matrices_of_bearings_are_rows_by_columns():
 
 def test_labels_and_contents():
     model, body, joint, spring = oscillator(force=0.5)
-    model.set_label(pdn.OBJECT_JOINT, joint, "Führung")
-    assert model.label(pdn.OBJECT_JOINT, joint) == "Führung"
-    assert model.label(pdn.OBJECT_NODE, body) == ""
+    model.set_label(joint, "Führung")
+    assert model.label(joint) == "Führung"
+    assert model.label(body) == ""
     assert model.find_label(pdn.OBJECT_JOINT, "Führung") == joint
     with pytest.raises(pdn.Error, match="no joint has the label"):
         model.find_label(pdn.OBJECT_JOINT, "Kolben")
@@ -80,8 +80,10 @@ def test_labels_and_contents():
     assert model.find_parameter("mass") == parameter
     model.set_parameter(parameter, 2)
     np.testing.assert_array_equal(model.inertia(model.inertia_of(body))[1], 2 * np.eye(6))
-    assert model.load_at(pdn.FIRST_LOAD) == (body, pdn.FRAME_SPACE)
-    values = model.sample_signal(pdn.SIGNAL_OF_LOAD, pdn.FIRST_LOAD, pdn.FORCE_1, 1.0, [0, 0.5])
+    node, first_element, elements, fraction, offset, frame = model.load_at(pdn.FIRST_LOAD)
+    assert (node, first_element, elements, fraction) == (body, -1, 0, 0)
+    assert frame == pdn.FRAME_SPACE and not offset.any()
+    values = model.sample_signal(pdn.FIRST_LOAD, pdn.FORCE_1, 1.0, [0, 0.5])
     np.testing.assert_array_equal(values, [0.5, 0.5])
 
 
@@ -99,3 +101,26 @@ def test_axes_of_joints_made_by_an_axis(along, axis_1, axis_2):
     for add in (model.add_rigid_joint, model.add_spherical, model.add_free_joint):
         np.testing.assert_array_equal(model.joint(add(pdn.GROUND, body, [1, 0, 0])).first_rotation,
                                       np.eye(3))
+
+
+def test_loads_at_points_are_those_on_nodes_there():
+    section = pdn.Section().set_diagonal([8e3, 3e3, 3e3, 14, 9, 25], [0.3, 1e-5, 5e-6, 5e-6])
+    arm = [0, 0.2, 0.1]
+
+    def bent(load):
+        model = pdn.Model()
+        beam = model.add_straight_beam([0, 0, 0], [1, 0, 0], [0, 1, 0], section, 2, 3)
+        model.add_rigid_joint(pdn.GROUND, beam.first, [0, 0, 0])
+        added = load(model, beam)
+        model.set_load_frame(added, pdn.FRAME_MATERIAL)
+        assert model.load_at(added)[-1] == pdn.FRAME_MATERIAL
+        return model.solve_static().sample(pdn.Quantity(pdn.NODE_POSITION, beam.last), [0])[0]
+
+    push = pdn.FRAME_SPACE, pdn.FORCE_3, 20
+    on_line = bent(lambda model, beam: model.add_load(beam.first + 3, *push))
+    off_line = bent(lambda model, beam: model.add_load_at_point(beam.first + 3, arm, *push))
+    for offset, wanted in (None, on_line), (arm, off_line):
+        found = bent(lambda model, beam: model.add_load_on_beam(
+            beam.first_element, 2, 0.5, *push, offset=offset))
+        np.testing.assert_allclose(found, wanted, atol=1e-14)
+    assert abs(off_line - on_line).max() > 1e-3

@@ -81,7 +81,7 @@ def test_exceptions_come_back_and_functions_are_bound_by_label(tmp_path):
     model, slide = oscillator()
     at = [slide], [pdn.DISPLACEMENT]
     force = model.add_controller(*at, pdn.TANGENTS_GIVEN, govern, *at, sizes=[1.0])
-    model.set_label(pdn.OBJECT_FORCE, force, "governor")
+    model.set_label(force, "governor")
     path = str(tmp_path / "model.pdm")
     model.save(path)
     loaded = pdn.Model.load(path)

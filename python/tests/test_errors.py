@@ -36,7 +36,7 @@ MODEL, BODY, JOINT, _ = oscillator()
      "second: expected a whole number, got 1.5", "PDN_ERR_VALUE"),
     (lambda: MODEL.prescribe(JOINT, "rotation", 0),
      "coordinate: expected a whole number, got 'rotation'", "PDN_ERR_VALUE"),
-    (lambda: MODEL.set_label(pdn.OBJECT_NODE, 2**40, "far"),
+    (lambda: MODEL.set_label(2**40, "far"),
      "id: expected a whole number, got 1099511627776", "PDN_ERR_VALUE"),
     (lambda: pdn.Signal().set_samples(0, [1, 2, 3]), "rate: expected a number, got [1, 2, 3]",
      "PDN_ERR_VALUE"),

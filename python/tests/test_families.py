@@ -14,7 +14,7 @@ def driven():
     model, body, joint, spring = oscillator(force=FORCE)
     actuator = model.add_actuator(joint, pdn.DISPLACEMENT, 0.0)
     mean = model.add_parameter("mean", 0.0, 1.0)
-    model.move_signal(mean, pdn.SIGNAL_OF_ACTUATOR, actuator, 0, pdn.PART_MEAN, 1.0)
+    model.move_signal(mean, actuator, 0, pdn.PART_MEAN, 1.0)
     coordinate = pdn.Quantity(kind=pdn.JOINT_COORDINATE, object=joint,
                               component=pdn.DISPLACEMENT)
     return model, body, mean, coordinate

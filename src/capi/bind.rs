@@ -129,7 +129,8 @@ pub unsafe extern "C" fn pdn_model_bind_user_force(
 /// @param first_force  id of the first of the forces, by ::pdn_model_add_surface_force or
 ///     ::pdn_model_add_line_force; ::pdn_model_find_label finds it by its label
 /// @param forces  number of forces, in order: one on each element, at least 1
-/// @param frame  PDN_FRAME_SPACE or PDN_FRAME_MATERIAL, as in ::pdn_model_add_surface_force
+/// @param frame  PDN_FRAME_SPACE or PDN_FRAME_MATERIAL, as in ::pdn_model_add_surface_force; the
+///     latter, too, of forces along beams with PDN_FRAME_UNTWISTED, whose axes the model keeps
 /// @param tangents  PDN_TANGENTS_GIVEN or PDN_TANGENTS_DIFFERENCED
 /// @param function  the forces, see ::pdn_surface_force_fn for when it is called; not NULL
 /// @param user_data  handed to the function; may be NULL

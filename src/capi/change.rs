@@ -3,6 +3,7 @@
 use super::contents::force_number;
 use super::guard::guard;
 use super::id::Kind;
+use super::load::{beam_load_frame, load_frame};
 use super::model::{element_count, pdn_model};
 use super::parameter::signal_place;
 use super::section::{self, pdn_section, read_struct};
@@ -17,8 +18,7 @@ use nalgebra::Matrix6;
 /// Parts of it that parameters move have the parameters' values again.
 ///
 /// @param model  the model; not NULL
-/// @param place  what has the signal: PDN_SIGNAL_OF_ACTUATOR, ...
-/// @param id  its id: of a force, prescribed coordinate, load or relation; 0 for gravity
+/// @param id  what has the signal, as in ::pdn_model_move_signal
 /// @param component  of a load PDN_FORCE_1, ... or PDN_MOMENT_3, one that has a signal; of gravity
 ///     from 0 to 2; 0 for all else
 /// @param signal  the other signal, copied; not NULL
@@ -30,14 +30,13 @@ use nalgebra::Matrix6;
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn pdn_model_set_signal(
     model: *mut pdn_model,
-    place: i32,
     id: i32,
     component: i32,
     signal: *const pdn_signal,
 ) -> pdn_status {
     guard(|call| {
         let mut model = call.exclusive(model, "model")?;
-        let place = signal_place(&model, place, id, component)?;
+        let place = signal_place(&model, id, component)?;
         let signal = signal::read(call, signal, "signal")?;
         model.set_signal(place, &signal)
     })
@@ -48,9 +47,10 @@ pub unsafe extern "C" fn pdn_model_set_signal(
 ///
 /// @param model  the model; not NULL
 /// @param force  id of the force
-/// @param number  PDN_NUMBER_STIFFNESS, PDN_NUMBER_DAMPING or PDN_NUMBER_RELAXATION_TIME
+/// @param number  PDN_NUMBER_STIFFNESS, PDN_NUMBER_DAMPING, PDN_NUMBER_RELAXATION_TIME or
+///     PDN_NUMBER_REST
 /// @param values  array of length [count]: the numbers, in the order of ::pdn_model_force_number
-/// @param count  how many; pdn_force_info tells how many the force has
+/// @param count  how many; pdn_force_info tells how many the force has; of PDN_NUMBER_REST 1
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE (a
 ///     parameter moves such a number of the force, or the numbers are none of such a force)
 ///
@@ -70,6 +70,46 @@ pub unsafe extern "C" fn pdn_model_set_force_numbers(
         let which = force_number(number)?;
         let values = call.numbers(values, count, "values")?;
         model.set_force_numbers(force, which, values)
+    })
+}
+
+/// Gives a load, on a node, at a point, along beam elements or on shell elements, another frame;
+/// its signals stay.
+///
+/// @param model  the model; not NULL
+/// @param load  id of the load, beam load or shell load
+/// @param frame  PDN_FRAME_SPACE or PDN_FRAME_MATERIAL; along beams also PDN_FRAME_UNTWISTED
+/// @param axis_2  array of length 3: as in ::pdn_model_add_load_at_places; read for
+///     PDN_FRAME_UNTWISTED only, else it may be NULL
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_set_load_frame(
+    model: *mut pdn_model,
+    load: i32,
+    frame: i32,
+    axis_2: *const f64,
+) -> pdn_status {
+    guard(|call| {
+        let mut model = call.exclusive(model, "model")?;
+        match Kind::of(load) {
+            Some(Kind::BeamLoad) => {
+                let load = Kind::BeamLoad.index_in(&model, load, "load")?;
+                model.set_beam_load_frame(load, beam_load_frame(call, frame, axis_2)?)
+            }
+            Some(Kind::ShellLoad) => {
+                let load = Kind::ShellLoad.index_in(&model, load, "load")?;
+                model.set_shell_load_frame(load, load_frame(frame)?)
+            }
+            _ => {
+                let count = model.object_count(Kind::Load);
+                let other = "a beam load id, a shell load id or ";
+                let load = Kind::Load.index_or(other, load, count, "load")?;
+                model.set_load_frame(load, load_frame(frame)?)
+            }
+        }
     })
 }
 

@@ -6,7 +6,7 @@ use super::id::Kind;
 use super::joint::{coordinate_code, joint_code};
 use super::model::{PDN_GROUND, choose, count, number, pdn_frame, pdn_model};
 use super::options::Options;
-use super::parameter::{PDN_NUMBER_DAMPING, PDN_NUMBER_STIFFNESS, signal_place};
+use super::parameter::{PDN_NUMBER_DAMPING, PDN_NUMBER_REST, PDN_NUMBER_STIFFNESS, signal_place};
 use super::section::pdn_section;
 use super::shell::place_code;
 use super::status::pdn_status;
@@ -114,13 +114,16 @@ pub struct pdn_force_info {
     pub shell_place: i32,
     /// Of forces of the user along a beam, id of the element; else -1.
     pub beam_element: i32,
-    /// Zero.
-    pub reserved: i32,
+    /// Of forces of the user on nodes, 1 if these were declared apart; else 0.
+    pub nodes_apart: i32,
+    /// Of forces of the user along a beam with PDN_FRAME_UNTWISTED, the direction axis_2; else
+    /// zero.
+    pub axis_2: [f64; 3],
 }
 
 // SAFETY: all fields are plain numbers, `struct_size` is the first, no padding.
 unsafe impl Options for pdn_force_info {
-    const SIZES: &'static [usize] = &[248, 256, 264];
+    const SIZES: &'static [usize] = &[248, 256, 264, 288];
 }
 
 /// Prepares a struct for ::pdn_model_joint; use `PDN_INIT(pdn_joint_info, &info)`.
@@ -205,9 +208,9 @@ fn force_kind(force: &ForceDefinition) -> i32 {
         ForceDefinition::Bushing(_) => PDN_FORCE_IS_BUSHING,
         ForceDefinition::NodeForces { .. } => PDN_FORCE_IS_USER_FORCE,
         ForceDefinition::Controller(_) => PDN_FORCE_IS_CONTROLLER,
-        ForceDefinition::SurfaceForces { place, .. } => match place {
-            ForcePlace::Line => PDN_FORCE_IS_LINE_FORCE,
-            _ => PDN_FORCE_IS_SURFACE_FORCE,
+        ForceDefinition::SurfaceForces { place, .. } => match place.on_shell() {
+            None => PDN_FORCE_IS_LINE_FORCE,
+            Some(_) => PDN_FORCE_IS_SURFACE_FORCE,
         },
     }
 }
@@ -244,7 +247,11 @@ pub unsafe extern "C" fn pdn_model_force(
             damping_count: numbers(ForceNumber::Damping),
             branch_count: numbers(ForceNumber::RelaxationTime),
             node_count: force.user_nodes().len() as i32,
-            rest: force.rest(),
+            rest: force
+                .numbers(ForceNumber::Rest)
+                .first()
+                .copied()
+                .unwrap_or(0.0),
             shell_element: -1,
             shell_place: -1,
             beam_element: -1,
@@ -256,7 +263,12 @@ pub unsafe extern "C" fn pdn_model_force(
                     info.shell_element = Kind::ShellElement.id(*element);
                     info.shell_place = place_code(place);
                 }
-                None => info.beam_element = Kind::BeamElement.id(*element),
+                None => {
+                    info.beam_element = Kind::BeamElement.id(*element);
+                    if let ForcePlace::UntwistedLine(axis_2) = place {
+                        info.axis_2 = (*axis_2).into();
+                    }
+                }
             }
         }
         if let Some(ends) = force.ends() {
@@ -264,6 +276,9 @@ pub unsafe extern "C" fn pdn_model_force(
             [info.first, info.second] = ends.map(|end| id_of(end.node));
             (info.first_position, info.first_rotation) = (first.position, first.rotation);
             (info.second_position, info.second_rotation) = (second.position, second.rotation);
+        }
+        if let ForceDefinition::NodeForces { apart: true, .. } = force {
+            info.nodes_apart = 1;
         }
         if let ForceDefinition::Bushing(bushing) = force {
             info.angles = angles_code(bushing.angles);
@@ -279,8 +294,10 @@ pub(super) fn force_number(number: i32) -> Result<ForceNumber> {
         (PDN_NUMBER_STIFFNESS, ForceNumber::Stiffness),
         (PDN_NUMBER_DAMPING, ForceNumber::Damping),
         (PDN_NUMBER_RELAXATION_TIME, ForceNumber::RelaxationTime),
+        (PDN_NUMBER_REST, ForceNumber::Rest),
     ];
-    let expected = "PDN_NUMBER_STIFFNESS, PDN_NUMBER_DAMPING or PDN_NUMBER_RELAXATION_TIME";
+    let expected = "PDN_NUMBER_STIFFNESS, PDN_NUMBER_DAMPING, PDN_NUMBER_RELAXATION_TIME or \
+                    PDN_NUMBER_REST";
     choose(&table, number, "number", expected)
 }
 
@@ -288,11 +305,13 @@ pub(super) fn force_number(number: i32) -> Result<ForceNumber> {
 ///
 /// Of a spring-damper the coefficients of the powers of the growth and of the rate, from the first;
 /// of a viscoelastic element as PDN_NUMBER_STIFFNESS the long-term stiffness, then that of each
-/// branch; of viscous dampers and bushings their matrices, column by column.
+/// branch; of viscous dampers and bushings their matrices, column by column. Of a spring-damper or
+/// viscoelastic element as PDN_NUMBER_REST the one coordinate at which it is free of effort.
 ///
 /// @param model  the model; not NULL
 /// @param force  id of the force
-/// @param number  PDN_NUMBER_STIFFNESS, PDN_NUMBER_DAMPING or PDN_NUMBER_RELAXATION_TIME
+/// @param number  PDN_NUMBER_STIFFNESS, PDN_NUMBER_DAMPING, PDN_NUMBER_RELAXATION_TIME or
+///     PDN_NUMBER_REST
 /// @param index  which of these, from 0; their count is in pdn_force_info
 /// @param out  the number; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE
@@ -602,8 +621,7 @@ pub unsafe extern "C" fn pdn_model_relation_term(
 /// Values of a signal of the model in time.
 ///
 /// @param model  the model; not NULL
-/// @param place  what has the signal: PDN_SIGNAL_OF_ACTUATOR, ...
-/// @param id  its id, as in ::pdn_model_move_signal
+/// @param id  what has the signal, as in ::pdn_model_move_signal
 /// @param component  of a load PDN_FORCE_1, ... or PDN_MOMENT_3, of gravity from 0 to 2; 0 for all
 ///     else
 /// @param period  period of the motion, that harmonics refer to [time]
@@ -618,7 +636,6 @@ pub unsafe extern "C" fn pdn_model_relation_term(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn pdn_model_sample_signal(
     model: *const pdn_model,
-    place: i32,
     id: i32,
     component: i32,
     period: f64,
@@ -628,7 +645,7 @@ pub unsafe extern "C" fn pdn_model_sample_signal(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let place = signal_place(&model, place, id, component)?;
+        let place = signal_place(&model, id, component)?;
         let period = call.number(period, "period")?;
         let times = call.numbers(times, count, "times")?;
         let out = call.out_slice(values, count, count, "values")?;

@@ -23,7 +23,7 @@ pub const PDN_FIRST_FORCE: i32 = 500000000;
 pub const PDN_FIRST_RELATION: i32 = 600000000;
 /// Id of the parameter that was added first.
 pub const PDN_FIRST_PARAMETER: i32 = 700000000;
-/// Id of the load on a node that was added first.
+/// Id of the load on a node, or at a point, that was added first.
 pub const PDN_FIRST_LOAD: i32 = 800000000;
 /// Id of the load along beam elements that was added first.
 pub const PDN_FIRST_BEAM_LOAD: i32 = 900000000;
@@ -55,6 +55,11 @@ impl Kind {
             Kind::Inertia => PDN_FIRST_INERTIA,
             Kind::Prescribed => PDN_FIRST_PRESCRIBED,
         }
+    }
+
+    /// The kind that has this id, in whatever model.
+    pub(super) fn of(id: i32) -> Option<Kind> {
+        Kind::ALL.into_iter().find(|kind| kind.read(id).is_some())
     }
 
     /// What messages call an id of this kind.
@@ -124,7 +129,7 @@ impl Kind {
 }
 
 /// An id, and what it would name.
-fn describe(id: i32) -> String {
+pub(super) fn describe(id: i32) -> String {
     let named = Kind::ALL.into_iter().find_map(|kind| {
         let index = kind.read(id)?;
         Some(format!("{id}, which is the id of {kind} {index}"))

@@ -1,7 +1,7 @@
 //! Labels of what a model is made of.
 
 use super::guard::{guard, guard_or};
-use super::id::Kind;
+use super::id::{Kind, describe};
 use super::last_error::copy_message;
 use super::model::{choose, pdn_model};
 use super::status::pdn_status;
@@ -21,7 +21,7 @@ pub const PDN_OBJECT_SHELL_ELEMENT: i32 = 1003;
 pub const PDN_OBJECT_FORCE: i32 = 1004;
 /// What has a label: a linear relation between joint coordinates.
 pub const PDN_OBJECT_RELATION: i32 = 1005;
-/// What has a label: a load on a node.
+/// What has a label: a load on a node or at a point.
 pub const PDN_OBJECT_LOAD: i32 = 1006;
 /// What has a label: a load along beam elements.
 pub const PDN_OBJECT_BEAM_LOAD: i32 = 1007;
@@ -55,9 +55,14 @@ fn object_kind(given: i32) -> Result<Kind> {
     choose(&table, given, "kind", expected)
 }
 
-/// What a kind and an id name.
-fn object(model: &Model, kind: i32, id: i32) -> Result<(Kind, usize)> {
-    let kind = object_kind(kind)?;
+/// What an id names; parameters have names of their own.
+fn object(model: &Model, id: i32) -> Result<(Kind, usize)> {
+    let kind = Kind::of(id).filter(|kind| *kind != Kind::Parameter);
+    let kind = kind.ok_or_else(|| {
+        let expected = "an id of what PDN_OBJECT_NODE to PDN_OBJECT_PRESCRIBED name";
+        let message = format!("id: expected {expected}, got {}", describe(id));
+        Error::new(ErrorKind::Identifier, message)
+    })?;
     Ok((kind, kind.index_in(model, id, "id")?))
 }
 
@@ -67,7 +72,6 @@ fn object(model: &Model, kind: i32, id: i32) -> Result<(Kind, usize)> {
 /// copied with the model, and solutions keep those that it has when it is solved.
 ///
 /// @param model  the model; not NULL
-/// @param kind  PDN_OBJECT_NODE to PDN_OBJECT_PRESCRIBED
 /// @param id  its id
 /// @param label  text in UTF-8 of at most PDN_LABEL_LENGTH bytes, without quotes (") and control
 ///     characters, that no other object of this kind has; empty or NULL to take the label away
@@ -78,13 +82,12 @@ fn object(model: &Model, kind: i32, id: i32) -> Result<(Kind, usize)> {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn pdn_model_set_label(
     model: *mut pdn_model,
-    kind: i32,
     id: i32,
     label: *const c_char,
 ) -> pdn_status {
     guard(|call| {
         let mut model = call.exclusive(model, "model")?;
-        let (kind, id) = object(&model, kind, id)?;
+        let (kind, id) = object(&model, id)?;
         let label = match label.is_null() {
             true => "",
             false => call.text(label, "label")?,
@@ -96,7 +99,6 @@ pub unsafe extern "C" fn pdn_model_set_label(
 /// The label of a node, joint, element, force, load or the like.
 ///
 /// @param model  the model; not NULL
-/// @param kind  PDN_OBJECT_NODE to PDN_OBJECT_PRESCRIBED
 /// @param id  its id
 /// @param buffer  array of length [capacity] for the label, UTF-8, always ended by NUL; may be NULL
 ///     if capacity is 0
@@ -109,14 +111,13 @@ pub unsafe extern "C" fn pdn_model_set_label(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn pdn_model_label(
     model: *const pdn_model,
-    kind: i32,
     id: i32,
     buffer: *mut c_char,
     capacity: usize,
 ) -> usize {
     guard_or(0, |call| {
         let model = call.shared(model, "model")?;
-        let (kind, id) = object(&model, kind, id)?;
+        let (kind, id) = object(&model, id)?;
         let label = model.label(kind, id).unwrap_or("");
         copy_message(label, buffer, capacity);
         Ok(label.len())

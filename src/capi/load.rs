@@ -1,4 +1,4 @@
-//! Loads: forces and moments on nodes, and gravity.
+//! Loads: forces and moments at points and along beams, and gravity.
 
 use super::call::Call;
 use super::guard::guard;
@@ -8,7 +8,9 @@ use super::signal::{self, pdn_signal};
 use super::status::pdn_status;
 use crate::elements::{BeamLoadFrame, LoadFrame};
 use crate::error::{Error, Result};
-use crate::model::{DistributedLoadDefinition, LoadPlace, Model, Signal};
+use crate::model::{
+    DistributedLoadDefinition, LoadDefinition, LoadPlace, LoadPoint, Model, Signal,
+};
 
 /// Directions of a load, or axes of a velocity, force or reaction: the global axes.
 pub const PDN_FRAME_SPACE: i32 = 1600;
@@ -46,7 +48,11 @@ pub(super) fn load_frame(given: i32) -> Result<LoadFrame> {
 
 /// The frame of a load along a beam, for which `axis_2` is read if it is that of the untwisted
 /// beam.
-fn beam_load_frame(call: &Call, given: i32, axis_2: *const f64) -> Result<BeamLoadFrame> {
+pub(super) fn beam_load_frame(
+    call: &Call,
+    given: i32,
+    axis_2: *const f64,
+) -> Result<BeamLoadFrame> {
     if given == PDN_FRAME_UNTWISTED {
         let axis_2 = call.array::<3>(axis_2, "axis_2")?;
         return Ok(BeamLoadFrame::Untwisted(axis_2.into()));
@@ -85,7 +91,7 @@ pub(super) fn components(
 
 /// Adds one component of a force or moment on a node, in addition to those that are there.
 ///
-/// A force acts at the node's origin.
+/// A force acts at the node's origin; ::pdn_model_add_load_at_point takes another point.
 ///
 /// @param model  the model; not NULL
 /// @param node  id of the node
@@ -118,6 +124,106 @@ pub unsafe extern "C" fn pdn_model_add_load(
         let (node, frame, components) = given;
         model.add_load(node, frame, components)
     })
+}
+
+/// Adds one component of a force or moment at a point that a node carries, in addition to those
+/// that are there: such as a thrust that acts off the node of a body.
+///
+/// The point moves with the node, and so does the arm of the force about the node.
+///
+/// @param model  the model; not NULL
+/// @param node  id of the node
+/// @param offset  array of length 3: the point, from the node's origin, along the node's axes
+///     \[length\]
+/// @param frame  PDN_FRAME_SPACE: directions of the global axes; PDN_FRAME_MATERIAL: of the node's
+///     axes, which the load follows
+/// @param component  PDN_FORCE_1, PDN_FORCE_2, PDN_FORCE_3 [force], PDN_MOMENT_1, PDN_MOMENT_2 or
+///     PDN_MOMENT_3 [force * length]
+/// @param signal  the component in time, copied; not NULL
+/// @param load  the load's id; may be NULL if it is not wanted; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
+///     PDN_ERR_STRUCT_SIZE
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_add_load_at_point(
+    model: *mut pdn_model,
+    node: i32,
+    offset: *const f64,
+    frame: i32,
+    component: i32,
+    signal: *const pdn_signal,
+    load: *mut i32,
+) -> pdn_status {
+    let read = |call: &Call, model: &Model| {
+        Ok(LoadDefinition {
+            at: LoadPoint::Node(Kind::Node.index_in(model, node, "node")?),
+            offset: call.array::<3>(offset, "offset")?.into(),
+            frame: load_frame(frame)?,
+            components: components(call, component, signal)?,
+        })
+    };
+    let add = |model: &mut Model, load| model.add_point_load(load);
+    add_object(model, Kind::Load, (load, "load"), read, add)
+}
+
+/// Adds one component of a force or moment at a fraction of the span of a beam, in addition to
+/// those that are there.
+///
+/// It moves with the section there. Internal forces jump at such a place, which an element smooths
+/// unless a node is there: next to the load they are more accurate on a mesh with a boundary there,
+/// as ::pdn_model_add_beam_between makes it. The ends of elements are nodes.
+///
+/// @param model  the model; not NULL
+/// @param first_element  id of the first beam element, such as the first_element of a ::pdn_beam
+/// @param elements  number of elements, from the first on, such as the elements of a ::pdn_beam; at
+///     least 1
+/// @param fraction  the place, as a fraction of the reference length of these elements, from 0 to 1
+/// @param offset  array of length 3: the point, from the line of the beam, along the section's axes
+///     \[length\]; NULL for a point of the line
+/// @param frame  PDN_FRAME_SPACE: directions of the global axes; PDN_FRAME_MATERIAL: of the
+///     section's axes, which the load follows
+/// @param component  PDN_FORCE_1, PDN_FORCE_2, PDN_FORCE_3 [force], PDN_MOMENT_1, PDN_MOMENT_2 or
+///     PDN_MOMENT_3 [force * length]
+/// @param signal  the component in time, copied; not NULL
+/// @param load  the load's id, as of a load on a node; may be NULL if it is not wanted; written on
+///     success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
+///     PDN_ERR_STRUCT_SIZE
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_add_load_on_beam(
+    model: *mut pdn_model,
+    first_element: i32,
+    elements: i32,
+    fraction: f64,
+    offset: *const f64,
+    frame: i32,
+    component: i32,
+    signal: *const pdn_signal,
+    load: *mut i32,
+) -> pdn_status {
+    let read = |call: &Call, model: &Model| {
+        let offset = match offset.is_null() {
+            true => [0.0; 3],
+            false => call.array::<3>(offset, "offset")?,
+        };
+        Ok(LoadDefinition {
+            at: LoadPoint::Beam {
+                first_element: Kind::BeamElement.index_in(model, first_element, "first_element")?,
+                elements: element_count(elements)?,
+                fraction: call.number(fraction, "fraction")?,
+            },
+            offset: offset.into(),
+            frame: load_frame(frame)?,
+            components: components(call, component, signal)?,
+        })
+    };
+    let add = |model: &mut Model, load| model.add_point_load(load);
+    add_object(model, Kind::Load, (load, "load"), read, add)
 }
 
 /// Sets the acceleration of gravity, in place of any set before. Without this call there is none.

@@ -7,6 +7,7 @@ use super::model::{number, pdn_model};
 use super::shell::place_code;
 use super::status::pdn_status;
 use crate::elements::BeamLoadFrame;
+use crate::model::LoadPoint;
 
 /// What C calls a frame.
 fn frame_code(frame: BeamLoadFrame) -> i32 {
@@ -17,7 +18,7 @@ fn frame_code(frame: BeamLoadFrame) -> i32 {
     }
 }
 
-/// Number of loads on nodes; their ids follow each other from PDN_FIRST_LOAD on.
+/// Number of loads on nodes and at points; their ids follow each other from PDN_FIRST_LOAD on.
 ///
 /// @param model  the model; not NULL
 /// @param count  the number; written on success only
@@ -33,11 +34,19 @@ pub unsafe extern "C" fn pdn_model_load_count(
     super::model::count(model, count, |model| model.object_count(Kind::Load))
 }
 
-/// A load on a node; its components are signals, ::pdn_model_sample_signal.
+/// A load on a node or at a point; its components are signals, ::pdn_model_sample_signal.
 ///
 /// @param model  the model; not NULL
 /// @param load  id of the load
-/// @param node  the node's id; written on success only
+/// @param node  id of the node that carries it, or -1 if a beam does; written on success only
+/// @param first_element  id of the first of the beam elements that carry it, or -1 if a node does;
+///     written on success only
+/// @param elements  number of these, from the first on, 0 if there are none; written on success
+///     only
+/// @param fraction  the place, as a fraction of the reference length of these elements, 0 if there
+///     are none; written on success only
+/// @param offset  array of length 3: the point, from the node or the line of the beam, along the
+///     axes of the node or section; may be NULL if it is not wanted; written on success only
 /// @param frame  PDN_FRAME_SPACE or PDN_FRAME_MATERIAL; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
 ///
@@ -48,14 +57,41 @@ pub unsafe extern "C" fn pdn_model_load_at(
     model: *const pdn_model,
     load: i32,
     node: *mut i32,
+    first_element: *mut i32,
+    elements: *mut i32,
+    fraction: *mut f64,
+    offset: *mut f64,
     frame: *mut i32,
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
         let load = &model.loads()[Kind::Load.index_in(&model, load, "load")?];
         let node_out = call.out(node, "node")?;
+        let first_out = call.out(first_element, "first_element")?;
+        let elements_out = call.out(elements, "elements")?;
+        let fraction_out = call.out(fraction, "fraction")?;
+        let offset_out = call.out_slice_optional(offset, 3, "offset")?;
         let frame_out = call.out(frame, "frame")?;
-        node_out.set(Kind::Node.id(load.node));
+        let (node, first, elements, fraction) = match load.at {
+            LoadPoint::Node(node) => (Kind::Node.id(node), -1, 0, 0.0),
+            LoadPoint::Beam {
+                first_element,
+                elements,
+                fraction,
+            } => (
+                -1,
+                Kind::BeamElement.id(first_element),
+                elements as i32,
+                fraction,
+            ),
+        };
+        node_out.set(node);
+        first_out.set(first);
+        elements_out.set(elements);
+        fraction_out.set(fraction);
+        if let Some(offset_out) = offset_out {
+            offset_out.set(load.offset.as_slice());
+        }
         frame_out.set(frame_code(load.frame.into()));
         Ok(())
     })

@@ -1,7 +1,7 @@
 //! Parameters of a model.
 
 use super::guard::{guard, guard_or};
-use super::id::Kind;
+use super::id::{self, Kind};
 use super::last_error::copy_message;
 use super::load::component_place;
 use super::model::{choose, pdn_model};
@@ -45,21 +45,6 @@ pub const PDN_NUMBER_SHELL_THICKNESS: i32 = 3612;
 /// ::pdn_model_set_turning_frame.
 pub const PDN_NUMBER_FRAME_RATE: i32 = 3613;
 
-/// The signal of an actuator, a force.
-pub const PDN_SIGNAL_OF_ACTUATOR: i32 = 3700;
-/// The signal of a prescribed coordinate.
-pub const PDN_SIGNAL_OF_PRESCRIBED: i32 = 3701;
-/// The signal of a component of a load on a node.
-pub const PDN_SIGNAL_OF_LOAD: i32 = 3702;
-/// The signal of a component of a load along beam elements.
-pub const PDN_SIGNAL_OF_BEAM_LOAD: i32 = 3703;
-/// The signal of a component of gravity.
-pub const PDN_SIGNAL_OF_GRAVITY: i32 = 3704;
-/// The signal of a linear relation between joint coordinates.
-pub const PDN_SIGNAL_OF_RELATION: i32 = 3705;
-/// The signal of a component of a load on shell elements.
-pub const PDN_SIGNAL_OF_SHELL_LOAD: i32 = 3706;
-
 /// Part of a signal: the mean that is added to its shape.
 pub const PDN_PART_MEAN: i32 = 3800;
 /// Part of a signal: growth in a unit of time.
@@ -71,6 +56,9 @@ pub const PDN_PART_PHASE: i32 = 3803;
 
 /// A parameter: the circular frequency 2 pi / T, which every model has.
 pub const PDN_FREQUENCY: i32 = -3;
+
+/// In place of an id: gravity, whose components have signals.
+pub const PDN_GRAVITY: i32 = -4;
 
 /// Adds a parameter: a named number that moves what ::pdn_model_move_number and
 /// ::pdn_model_move_signal say. At first it moves nothing.
@@ -288,28 +276,46 @@ fn of_the_whole<T>(id: i32, what: T) -> Result<T> {
 }
 
 /// The signal that arguments name.
-pub(super) fn signal_place(
-    model: &Model,
-    place: i32,
-    id: i32,
-    component: i32,
-) -> Result<SignalPlace> {
-    let of = |kind: Kind| kind.index_in(model, id, "id");
-    let of_load = || {
-        let expected = "PDN_FORCE_1 to PDN_FORCE_3 or PDN_MOMENT_1 to PDN_MOMENT_3";
-        component_place(component).ok_or_else(|| Error::value("component", expected, component))
-    };
-    Ok(match place {
-        PDN_SIGNAL_OF_ACTUATOR => SignalPlace::Actuator(of(Kind::Force)?),
-        PDN_SIGNAL_OF_PRESCRIBED => SignalPlace::Prescribed(of(Kind::Prescribed)?),
-        PDN_SIGNAL_OF_LOAD => SignalPlace::Load(of(Kind::Load)?, of_load()?),
-        PDN_SIGNAL_OF_BEAM_LOAD => SignalPlace::DistributedLoad(of(Kind::BeamLoad)?, of_load()?),
-        PDN_SIGNAL_OF_GRAVITY => {
-            SignalPlace::Gravity(of_the_whole(id, count(component, "component")?)?)
+pub(super) fn signal_place(model: &Model, id: i32, component: i32) -> Result<SignalPlace> {
+    if id == PDN_GRAVITY {
+        return Ok(SignalPlace::Gravity(count(component, "component")?));
+    }
+    let index = |kind: Kind| kind.index_in(model, id, "id");
+    let of_load = || load_component(component);
+    Ok(match Kind::of(id) {
+        Some(kind @ Kind::Load) => SignalPlace::Load(index(kind)?, of_load()?),
+        Some(kind @ Kind::BeamLoad) => SignalPlace::DistributedLoad(index(kind)?, of_load()?),
+        Some(kind @ Kind::ShellLoad) => SignalPlace::ShellLoad(index(kind)?, of_load()?),
+        Some(kind @ Kind::Force) => only_one(component, SignalPlace::Actuator(index(kind)?))?,
+        Some(kind @ Kind::Prescribed) => {
+            only_one(component, SignalPlace::Prescribed(index(kind)?))?
         }
-        PDN_SIGNAL_OF_RELATION => SignalPlace::Relation(of(Kind::Relation)?),
-        PDN_SIGNAL_OF_SHELL_LOAD => SignalPlace::ShellLoad(of(Kind::ShellLoad)?, of_load()?),
-        other => return Err(Error::value("place", "a constant PDN_SIGNAL_OF_...", other)),
+        Some(kind @ Kind::Relation) => only_one(component, SignalPlace::Relation(index(kind)?))?,
+        _ => {
+            let expected = "an id of an actuator (a force), prescribed coordinate, relation or \
+                            load, or PDN_GRAVITY";
+            let message = format!("id: expected {expected}, got {}", id::describe(id));
+            return Err(Error::new(ErrorKind::Identifier, message));
+        }
+    })
+}
+
+/// What has one signal, and no components.
+fn only_one(component: i32, place: SignalPlace) -> Result<SignalPlace> {
+    match component {
+        0 => Ok(place),
+        _ => {
+            let expected = "0, but for loads and gravity";
+            Err(Error::value("component", expected, component))
+        }
+    }
+}
+
+/// The place of a component of a load among six.
+fn load_component(component: i32) -> Result<usize> {
+    component_place(component).ok_or_else(|| {
+        let expected = "PDN_FORCE_1 to PDN_FORCE_3 or PDN_MOMENT_1 to PDN_MOMENT_3";
+        Error::value("component", expected, component)
     })
 }
 
@@ -318,8 +324,8 @@ pub(super) fn signal_place(
 ///
 /// @param model  the model; not NULL
 /// @param parameter  id of the parameter
-/// @param place  what has the signal: PDN_SIGNAL_OF_ACTUATOR, ...
-/// @param id  its id: of a force, prescribed coordinate, load or relation; 0 for gravity
+/// @param id  what has the signal: id of an actuator (a force), prescribed coordinate, load (on a
+///     node, along beams, on shells) or relation; or PDN_GRAVITY
 /// @param component  of a load PDN_FORCE_1, ... or PDN_MOMENT_3, of gravity from 0 to 2; 0 for all
 ///     else
 /// @param part  PDN_PART_MEAN, PDN_PART_RATE, PDN_PART_AMPLITUDE or PDN_PART_PHASE
@@ -332,7 +338,6 @@ pub(super) fn signal_place(
 pub unsafe extern "C" fn pdn_model_move_signal(
     model: *mut pdn_model,
     parameter: i32,
-    place: i32,
     id: i32,
     component: i32,
     part: i32,
@@ -341,7 +346,7 @@ pub unsafe extern "C" fn pdn_model_move_signal(
     guard(|call| {
         let mut model = call.exclusive(model, "model")?;
         let parameter = Kind::Parameter.index_in(&model, parameter, "parameter")?;
-        let place = signal_place(&model, place, id, component)?;
+        let place = signal_place(&model, id, component)?;
         let parts = [
             (PDN_PART_MEAN, SignalPart::Mean),
             (PDN_PART_RATE, SignalPart::Rate),

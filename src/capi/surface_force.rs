@@ -1,15 +1,16 @@
 //! Forces on shells and along beams that a function of the caller computes.
 
+use super::call::Call;
 use super::callback::Callback;
 use super::guard::guard;
 use super::id::Kind;
-use super::load::load_frame;
+use super::load::{beam_load_frame, load_frame};
 use super::model::{element_count, pdn_model};
 use super::shell::load_place;
 use super::status::pdn_status;
 use super::user_force::{gives_tangents, pdn_destroy_fn};
 use crate::elements::{
-    ForcePlace, LoadFrame, SurfaceForceInput, SurfaceForceLaw, SurfaceForceOutput,
+    BeamLoadFrame, ForcePlace, LoadFrame, SurfaceForceInput, SurfaceForceLaw, SurfaceForceOutput,
 };
 use crate::error::Result;
 use crate::model::Model;
@@ -42,7 +43,7 @@ pub struct pdn_surface_state {
     /// Array of shape 9 x [point_count]: rotation matrices, column by column; the columns are the
     /// axes of the point in global coordinates, those of a follower load: on the surface axes 1, 2
     /// and the normal, on an edge 1 along it, 3 along the normal, and 2 = 3 * 1; along a beam those
-    /// of its section.
+    /// of its section, or with PDN_FRAME_UNTWISTED those without twist.
     pub rotations: *const f64,
     /// Array of shape 6 x [point_count]: velocity and angular velocity of each point relative to
     /// the inertial frame, also in a steady rotation (::pdn_solve_static), along the global axes
@@ -141,11 +142,11 @@ pub unsafe extern "C" fn pdn_model_add_surface_force(
     destroy: pdn_destroy_fn,
     first_force: *mut i32,
 ) -> pdn_status {
-    let on = |model: &Model| {
+    let on = |_: &Call, model: &Model| {
         let first = Kind::ShellElement.index_in(model, first_element, "first_element")?;
-        Ok((first, load_place(place)?.into()))
+        Ok((first, load_place(place)?.into(), load_frame(frame)?))
     };
-    let law = (function, [frame, tangents], user_data, destroy);
+    let law = (function, tangents, user_data, destroy);
     add(model, (on, elements), law, first_force)
 }
 
@@ -164,7 +165,11 @@ pub unsafe extern "C" fn pdn_model_add_surface_force(
 /// @param elements  number of elements, from the first on, such as the elements of a ::pdn_beam; at
 ///     least 1
 /// @param frame  PDN_FRAME_SPACE: velocities, forces and tangents are along the global axes;
-///     PDN_FRAME_MATERIAL: along those of the section at each point, twisted as they are
+///     PDN_FRAME_MATERIAL: along those of the section at each point, twisted as they are;
+///     PDN_FRAME_UNTWISTED: along the axes of ::pdn_model_add_load_at_places, which rotations of
+///     the points are then of, too
+/// @param axis_2  array of length 3: direction, global coordinates, of any nonzero length, nowhere
+///     along the line; read for PDN_FRAME_UNTWISTED only, else it may be NULL
 /// @param tangents  PDN_TANGENTS_GIVEN if the function writes tangents, which
 ///     ::pdn_model_check_tangents checks; PDN_TANGENTS_DIFFERENCED if the library is to find them
 ///     by differences, at the price of 24 calls an element
@@ -185,27 +190,38 @@ pub unsafe extern "C" fn pdn_model_add_line_force(
     first_element: i32,
     elements: i32,
     frame: i32,
+    axis_2: *const f64,
     tangents: i32,
     function: pdn_surface_force_fn,
     user_data: *mut c_void,
     destroy: pdn_destroy_fn,
     first_force: *mut i32,
 ) -> pdn_status {
-    let on = |model: &Model| {
+    let on = |call: &Call, model: &Model| {
         let first = Kind::BeamElement.index_in(model, first_element, "first_element")?;
-        Ok((first, ForcePlace::Line))
+        Ok(match beam_load_frame(call, frame, axis_2)? {
+            BeamLoadFrame::Space => (first, ForcePlace::Line, LoadFrame::Space),
+            BeamLoadFrame::Follower => (first, ForcePlace::Line, LoadFrame::Follower),
+            BeamLoadFrame::Untwisted(axis_2) => {
+                let place = ForcePlace::UntwistedLine(axis_2);
+                (first, place, LoadFrame::Follower)
+            }
+        })
     };
-    let law = (function, [frame, tangents], user_data, destroy);
+    let law = (function, tangents, user_data, destroy);
     add(model, (on, elements), law, first_force)
 }
 
 /// Adds a force to each of so many elements, from the first on.
 fn add(
     model: *mut pdn_model,
-    (on, elements): (impl FnOnce(&Model) -> Result<(usize, ForcePlace)>, i32),
-    (function, [frame, tangents], user_data, destroy): (
+    (on, elements): (
+        impl FnOnce(&Call, &Model) -> Result<(usize, ForcePlace, LoadFrame)>,
+        i32,
+    ),
+    (function, tangents, user_data, destroy): (
         pdn_surface_force_fn,
-        [i32; 2],
+        i32,
         *mut c_void,
         pdn_destroy_fn,
     ),
@@ -213,9 +229,8 @@ fn add(
 ) -> pdn_status {
     guard(|call| {
         let mut model = call.exclusive(model, "model")?;
-        let (first, place) = on(&model)?;
+        let (first, place, frame) = on(call, &model)?;
         let elements = element_count(elements)?;
-        let frame = load_frame(frame)?;
         let gives_tangents = gives_tangents(tangents)?;
         // All that could be refused comes before `user_data` is taken over.
         model.require_force_place((first, elements), place)?;
@@ -251,9 +266,9 @@ fn call_back(
     input: &SurfaceForceInput,
     output: &mut SurfaceForceOutput,
 ) -> Result<()> {
-    let kind = match input.place {
-        ForcePlace::Line => Kind::BeamElement,
-        _ => Kind::ShellElement,
+    let kind = match input.place.on_shell() {
+        None => Kind::BeamElement,
+        Some(_) => Kind::ShellElement,
     };
     let state = pdn_surface_state {
         struct_size: size_of::<pdn_surface_state>(),

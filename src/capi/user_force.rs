@@ -86,6 +86,9 @@ pub struct pdn_force_state {
     /// inertial frame, also in a steady rotation (::pdn_solve_static), along the global axes
     /// (PDN_FRAME_SPACE) or the node's own (PDN_FRAME_MATERIAL).
     pub velocities: *const f64,
+    /// Nodes whose motions tangents are by: all, as many as [node_count], or 1, the own node of
+    /// each force, where nodes were declared apart (::pdn_model_declare_nodes_apart).
+    pub column_count: usize,
 }
 
 /// Where a user's forces go. The library makes it, with all arrays set to zero; a later one may add
@@ -102,15 +105,15 @@ pub struct pdn_force_values {
     /// Array of shape 6 x [node_count]: force on each node and moment about it
     /// [force, force * length].
     pub forces: *mut f64,
-    /// Array of shape 6 x [node_count] x 6 x [node_count], column by column: derivatives of
-    /// forces by displacements and turns. NULL if tangents are not wanted, or were said not to be
-    /// given.
+    /// Array of shape 6 x [node_count] x 6 x [column_count], column by column: derivatives of
+    /// forces by displacements and turns: of all nodes or, where nodes were declared apart, of the
+    /// own node of each force. NULL if tangents are not wanted, or were said not to be given.
     pub by_motion: *mut f64,
     /// The same by velocities and angular velocities; NULL where by_motion is.
     pub by_velocity: *mut f64,
 }
 
-const _: () = assert!(size_of::<pdn_force_state>() == 48 && size_of::<pdn_force_values>() == 32);
+const _: () = assert!(size_of::<pdn_force_state>() == 56 && size_of::<pdn_force_values>() == 32);
 
 /// Forces on nodes, to be computed by the caller.
 ///
@@ -213,7 +216,8 @@ pub unsafe extern "C" fn pdn_model_add_coordinate_law(
 ///     PDN_FRAME_MATERIAL: along those of each node
 /// @param tangents  PDN_TANGENTS_GIVEN if the function writes tangents, which
 ///     ::pdn_model_check_tangents checks; PDN_TANGENTS_DIFFERENCED if the library is to find them
-///     by differences, at the price of 24 calls a node
+///     by differences, at the price of 24 calls a node, or 24 for all where
+///     ::pdn_model_declare_nodes_apart says that no node matters to others
 /// @param function  the forces, see ::pdn_user_force_fn for when it is called; not NULL
 /// @param user_data  handed to the function; may be NULL
 /// @param destroy  called once with user_data when the model, its copies in solutions included, no
@@ -260,6 +264,31 @@ pub unsafe extern "C" fn pdn_model_add_user_force(
             model.add_node_forces(&nodes, law)
         },
     )
+}
+
+/// Declares that the force on each node of a function's force depends on time and on the motion of
+/// this node alone, as that of the air on points of a wing by strips does.
+///
+/// Then the force couples no nodes with each other, so that solves take less time; tangents are of
+/// each force by its own node (pdn_force_state), and differences of all nodes are found at once, by
+/// 24 calls. Solves compare a few calls and refuse, with PDN_ERR_MODEL, forces that are not so.
+///
+/// @param model  the model; not NULL
+/// @param force  id of a force by ::pdn_model_add_user_force
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_NOT_AVAILABLE (it is none of these)
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_declare_nodes_apart(
+    model: *mut pdn_model,
+    force: i32,
+) -> pdn_status {
+    guard(|call| {
+        let mut model = call.exclusive(model, "model")?;
+        let force = Kind::Force.index_in(&model, force, "force")?;
+        model.declare_nodes_apart(force)
+    })
 }
 
 /// A law of effort that is the caller's function.
@@ -322,6 +351,7 @@ fn call_back(
         positions: input.positions.as_ptr().cast(),
         rotations: input.rotations.as_ptr().cast(),
         velocities: input.velocities.as_ptr().cast(),
+        column_count: input.columns,
     };
     let (by_motion, by_velocity) = match &mut output.tangents {
         Some((motion, velocity)) => (

@@ -37,7 +37,9 @@ impl Couplings {
             let moving = element.has_mass() || element.has_damping();
             for &row in element.nodes() {
                 for &column in element.nodes() {
-                    *found.entry((column, row)).or_insert(false) |= moving;
+                    if row == column || element.couples_nodes() {
+                        *found.entry((column, row)).or_insert(false) |= moving;
+                    }
                 }
             }
         }

@@ -46,6 +46,9 @@ pub struct DistributedLoad {
     /// Frames that are interpolated, in those of the nodes; none if they are these.
     frames: Vec<Motion>,
     stations: Vec<LineStation>,
+    /// Where the loads act, from each station, in the axes that the nodes give the section; none if
+    /// there.
+    arms: Vec<Vector3<f64>>,
     parts: Vec<LoadPart>,
     /// Axes of the load that was added last: many have the same.
     last_axes: Option<(BeamLoadFrame, Vec<Matrix3<f64>>)>,
@@ -119,16 +122,16 @@ pub(super) struct LoadPoints {
 }
 
 impl LoadPoints {
-    /// Those along the line of a beam; followers have the axes of the sections.
+    /// Those along the line of a beam; followers have axes of a frame.
     ///
     /// # Errors
-    /// As [`DistributedLoad::new`].
-    pub fn along(beam: &Beam) -> Result<Self> {
+    /// As [`DistributedLoad::new`] and [`DistributedLoad::axes`].
+    pub fn along(beam: &Beam, frame: BeamLoadFrame) -> Result<Self> {
         let load = DistributedLoad::new(beam)?;
         let points = gauss_legendre(load.nodes.len()).into_iter();
         Ok(LoadPoints {
             frames: vec![Motion::identity(); load.nodes.len()],
-            axes: load.axes(beam, BeamLoadFrame::Follower)?,
+            axes: load.axes(beam, frame)?,
             sizes: lengths(beam, &[(-1.0, 1.0), (1.0, 1.0)])?,
             places: points.map(|(xi, _)| [xi, 0.0]).collect(),
             nodes: load.nodes,
@@ -191,9 +194,37 @@ impl DistributedLoad {
                 .into_iter()
                 .map(|(xi, weight)| Ok(beam.station(xi, weight)?.line))
                 .collect::<Result<_>>()?,
+            arms: Vec::new(),
             parts: Vec::new(),
             last_axes: None,
         })
+    }
+
+    /// A load at one place of `beam`, at `offset` from its line along the axes of the section
+    /// there, with the signals of `[force; moment]` (`None` is zero).
+    ///
+    /// # Errors
+    /// If the beam cannot be evaluated there.
+    pub fn at_place(
+        beam: &Beam,
+        xi: f64,
+        offset: &Vector3<f64>,
+        frame: LoadFrame,
+        signals: [Option<usize>; 6],
+    ) -> Result<Self> {
+        let station = beam.station(xi, 0.0)?;
+        let axes = about_axis(station.turn);
+        let points = LoadPoints {
+            nodes: beam.nodes().to_vec(),
+            frames: Vec::new(),
+            stations: vec![station.line],
+            axes: vec![axes],
+            sizes: vec![1.0],
+            places: vec![[xi, 0.0]],
+        };
+        let mut load = Self::at_points(points, frame == LoadFrame::Space, signals);
+        load.arms.push(axes * offset);
+        Ok(load)
     }
 
     /// Whether there is no load.
@@ -264,6 +295,7 @@ impl DistributedLoad {
             nodes: points.nodes,
             frames: points.frames,
             stations: points.stations,
+            arms: Vec::new(),
             parts: Vec::new(),
             last_axes: None,
         };
@@ -331,16 +363,17 @@ impl Scratch {
     }
 
     /// Adds the tangents of a station's load to the blocks, from the terms of the nodes: `mu` is
-    /// that of the load, of which the part `space`, in the section's axes, does not turn with it.
-    pub(super) fn add_tangents(&mut self, polar: &DualPolar, mu: &DualVector, space: &DualVector) {
+    /// that of the load, and `space` what the section's turn does to the part that does not turn
+    /// with it: `w̃` of a part `w` in the section's axes.
+    pub(super) fn add_tangents(&mut self, polar: &DualPolar, mu: &DualVector, space: &DualMatrix) {
         // A Δμ = Δw − ΔA μ. In dual algebra Δw is w̃ Δρ, but for the moment that a force would
         // get by being moved: it moves with the section.
-        let by_turn = (polar.factor * *mu).skew() + space.skew();
+        let by_turn = (polar.factor * *mu).skew() + *space;
         for node in &mut self.terms {
             node.gain = by_turn * node.turn + spread_variation(&node.x, mu) * node.shape;
         }
-        let in_space = space.primal != Vector3::zeros();
-        let force = skew(&space.primal);
+        let force = space.primal;
+        let in_space = force != Matrix3::zeros();
         let count = self.terms.len();
         for ((a, node), row) in self
             .terms
@@ -425,7 +458,13 @@ impl DistributedLoad {
                 primal: section.tr_mul(&force),
                 dual: section.tr_mul(&moment),
             };
-            let mu = polar.spread_inverse * (space + DualVector::from_wrench(follower));
+            let mut load = space + DualVector::from_wrench(follower);
+            let mut turned = space.skew();
+            if let Some(arm) = self.arms.get(place) {
+                load.dual += arm.cross(&load.primal);
+                turned.dual += skew(arm) * turned.primal;
+            }
+            let mu = polar.spread_inverse * load;
             scratch.terms.clear();
             for (a, (y, shape)) in scratch.relative.iter().zip(station.shapes()).enumerate() {
                 let x = polar.rotation.tr_mul(y);
@@ -437,7 +476,7 @@ impl DistributedLoad {
                 }
             }
             if out.with_tangents {
-                scratch.add_tangents(&polar, &mu, &space);
+                scratch.add_tangents(&polar, &mu, &turned);
             }
         }
         if out.with_tangents {

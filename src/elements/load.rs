@@ -1,4 +1,4 @@
-//! Forces and moments on a node, each component a signal.
+//! Forces and moments at a point of a body or node, each component a signal.
 //! See docs/theory.md, section 6.11.
 
 use super::{Contribution, Element, Instant};
@@ -16,20 +16,29 @@ pub enum LoadFrame {
     Follower,
 }
 
-/// Force and moment at a node.
+/// Force and moment at a point that a node carries.
 #[derive(Debug, Clone)]
 pub struct NodalLoad {
     nodes: [usize; 1],
+    /// The point, in the node's axes.
+    offset: Vector3<f64>,
     frame: LoadFrame,
     /// Signal numbers of `[force; moment]`; `None` is zero.
     signals: [Option<usize>; 6],
 }
 
 impl NodalLoad {
-    /// Load on `node` with components along the axes of `frame`.
-    pub fn new(node: usize, frame: LoadFrame, signals: [Option<usize>; 6]) -> Self {
+    /// Load on `node`, at `offset` from its origin along its axes, with components along the axes
+    /// of `frame`.
+    pub fn new(
+        node: usize,
+        offset: Vector3<f64>,
+        frame: LoadFrame,
+        signals: [Option<usize>; 6],
+    ) -> Self {
         NodalLoad {
             nodes: [node],
+            offset,
             frame,
             signals,
         }
@@ -52,12 +61,13 @@ impl Element for NodalLoad {
                 (r.tr_mul(&force), r.tr_mul(&moment))
             }
         };
-        out.add_force(0, &-joined(&force, &moment));
+        let about_node = moment + self.offset.cross(&force);
+        out.add_force(0, &-joined(&force, &about_node));
         if out.with_tangents && self.frame == LoadFrame::Space {
             let mut rows = out.stiffness.fixed_view_mut::<3, 3>(0, 3);
             rows -= skew(&force);
             let mut rows = out.stiffness.fixed_view_mut::<3, 3>(3, 3);
-            rows -= skew(&moment);
+            rows -= skew(&moment) + skew(&self.offset) * skew(&force);
         }
         Ok(())
     }

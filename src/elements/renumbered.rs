@@ -56,6 +56,10 @@ impl Element for Renumbered {
         self.element.has_feedback()
     }
 
+    fn couples_nodes(&self) -> bool {
+        self.element.couples_nodes()
+    }
+
     fn initial_state(&self, index: usize) -> f64 {
         self.element.initial_state(index)
     }

@@ -114,17 +114,19 @@ impl SurfaceForce {
         Ok(Self::at((element, place.into()), points, law, sizes))
     }
 
-    /// Along the line of a beam, likewise.
+    /// Along the line of a beam, likewise; a place on a shell counts as [`ForcePlace::Line`].
     ///
     /// # Errors
-    /// If the beam cannot be evaluated at the points.
+    /// If the beam cannot be evaluated at the points, or the direction of an untwisted one is along
+    /// it.
     pub fn along_beam(
         (element, beam): (usize, &Beam),
+        place: ForcePlace,
         law: SurfaceForceLaw,
         sizes: [f64; 2],
     ) -> Result<Self> {
-        let points = LoadPoints::along(beam)?;
-        Ok(Self::at((element, ForcePlace::Line), points, law, sizes))
+        let points = LoadPoints::along(beam, place.axes_on_beam())?;
+        Ok(Self::at((element, place), points, law, sizes))
     }
 
     fn at(
@@ -269,9 +271,9 @@ impl SurfaceForce {
     /// Where a point is, for messages.
     fn name(&self, point: usize) -> String {
         let [xi, eta] = self.points.places[point];
-        match self.place {
-            ForcePlace::Line => format!("on beam element {} at {xi}", self.element),
-            _ => format!("on shell element {} at ({xi}, {eta})", self.element),
+        match self.place.on_shell() {
+            None => format!("on beam element {} at {xi}", self.element),
+            Some(_) => format!("on shell element {} at ({xi}, {eta})", self.element),
         }
     }
 
@@ -418,7 +420,7 @@ impl SurfaceForce {
         if !out.with_tangents {
             return;
         }
-        scratch.load.add_tangents(&polar, &mu, &DualVector::zeros());
+        scratch.load.add_tangents(&polar, &mu, &DualMatrix::zeros());
         self.find_rates(point, (&polar, &to_axes), scratch);
         let (mut k, mut c) = (
             scratch.stiffness[point] * size,

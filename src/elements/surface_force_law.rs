@@ -1,5 +1,6 @@
 //! Functions of the user for forces at points of shells and beams.
 
+use super::distributed_load::BeamLoadFrame;
 use super::load::LoadFrame;
 use super::shell::ShellLoadPlace;
 use crate::error::Result;
@@ -9,7 +10,7 @@ use std::fmt;
 use std::sync::Arc;
 
 /// Where a user's forces act on an element.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum ForcePlace {
     /// On the surface of a shell, as [`ShellLoadPlace::Surface`].
     Surface,
@@ -18,6 +19,8 @@ pub enum ForcePlace {
     /// On the line of a beam, per unit of reference length. Axes of a follower are those of the
     /// section.
     Line,
+    /// The same, but for axes: those of [`BeamLoadFrame::Untwisted`].
+    UntwistedLine(Vector3<f64>),
 }
 
 impl ForcePlace {
@@ -26,7 +29,15 @@ impl ForcePlace {
         match self {
             ForcePlace::Surface => Some(ShellLoadPlace::Surface),
             ForcePlace::Edge(edge) => Some(ShellLoadPlace::Edge(edge)),
-            ForcePlace::Line => None,
+            ForcePlace::Line | ForcePlace::UntwistedLine(_) => None,
+        }
+    }
+
+    /// Axes that a follower on a beam has; those of the section where it is on a shell.
+    pub fn axes_on_beam(self) -> BeamLoadFrame {
+        match self {
+            ForcePlace::UntwistedLine(direction) => BeamLoadFrame::Untwisted(direction),
+            _ => BeamLoadFrame::Follower,
         }
     }
 }

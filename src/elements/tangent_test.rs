@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::motion::{Motion, rotation_from_vector, skew};
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use std::ops::AddAssign;
 
 /// Reproducible numbers in `[−1, 1]`.
@@ -315,10 +315,23 @@ fn cases() -> Vec<Case> {
                 coordinates: vec![],
             });
         }
-        for (name, law) in surface_force_test::laws() {
-            let force = SurfaceForce::along_beam((0, &beam), law, [1.0; 2]);
+        for frame in [LoadFrame::Space, LoadFrame::Follower] {
+            let signals = [0, 1, 2, 3, 4, 5].map(Some);
+            let offset = Vector3::new(0.2, -0.5, 0.9);
+            let load = DistributedLoad::at_place(&beam, 0.37, &offset, frame, signals).unwrap();
             cases.push(Case {
-                name: format!("user's forces along a beam, {count} nodes, {name}"),
+                name: format!("load at a place {frame:?}, {count} nodes"),
+                element: Box::new(load),
+                states: states.clone(),
+                coordinates: vec![],
+            });
+        }
+        let places = [ForcePlace::Line, ForcePlace::UntwistedLine(across)];
+        let laws = surface_force_test::laws().into_iter();
+        for ((name, law), place) in laws.flat_map(|law| places.map(|place| (law.clone(), place))) {
+            let force = SurfaceForce::along_beam((0, &beam), place, law, [1.0; 2]);
+            cases.push(Case {
+                name: format!("user's forces along a beam {place:?}, {count} nodes, {name}"),
                 element: Box::new(force.unwrap()),
                 states: states.clone(),
                 coordinates: vec![],
@@ -478,9 +491,32 @@ fn cases() -> Vec<Case> {
                 coordinates: vec![],
             });
         }
+        for gives_tangents in [true, false] {
+            let law = NodeForceLaw {
+                function: std::sync::Arc::new(move |input, output| {
+                    forces_of_nodes_apart(frame, input, output)
+                }),
+                gives_tangents,
+                frame,
+            };
+            let motions = vec![random.motion(), random.motion(), random.motion()];
+            let differenced = if gives_tangents { "" } else { ", differenced" };
+            let force = UserForce::new(vec![0, 1, 2], law, 1.0, 1.0);
+            cases.push(Case {
+                name: format!("user's forces on nodes apart, {frame:?}{differenced}"),
+                element: Box::new(force.with_nodes_apart(true)),
+                states: states(motions, &mut random),
+                coordinates: vec![],
+            });
+        }
         cases.push(Case {
             name: format!("load {frame:?}"),
-            element: Box::new(NodalLoad::new(0, frame, [0, 1, 2, 3, 4, 5].map(Some))),
+            element: Box::new(NodalLoad::new(
+                0,
+                Vector3::new(0.4, -0.7, 1.1),
+                frame,
+                [0, 1, 2, 3, 4, 5].map(Some),
+            )),
             states: states(vec![random.motion()], &mut random),
             coordinates: vec![],
         });
@@ -647,6 +683,57 @@ fn node_forces(
     Ok(())
 }
 
+/// A user's forces on nodes, each of its own motion: with `a = R e₁`,
+/// `F = [r² v + a × ω; (a·r) r]`.
+fn forces_of_nodes_apart(
+    frame: LoadFrame,
+    input: &NodeForceInput,
+    output: &mut NodeForceOutput,
+) -> Result<()> {
+    let half = |v: &Vector6<f64>, first| v.fixed_rows::<3>(first).into_owned();
+    for (node, rotation) in input.rotations.iter().enumerate() {
+        let (r, a) = (input.positions[node], rotation.column(0).into_owned());
+        let (v, w) = (
+            half(&input.velocities[node], 0),
+            half(&input.velocities[node], 3),
+        );
+        for (i, row) in [v * r.dot(&r) + a.cross(&w), r * a.dot(&r)]
+            .iter()
+            .enumerate()
+        {
+            let mut rows = output.forces[node].fixed_rows_mut::<3>(3 * i);
+            rows.copy_from(row);
+        }
+        let Some((stiffness, damping)) = &mut output.tangents else {
+            continue;
+        };
+        let identity = Matrix3::identity();
+        let by_motion = [
+            [v * r.transpose() * 2.0, skew(&w) * skew(&a)],
+            [
+                r * a.transpose() + identity * a.dot(&r),
+                r * a.cross(&r).transpose(),
+            ],
+        ];
+        let axes = match frame {
+            LoadFrame::Follower => *rotation,
+            LoadFrame::Space => identity,
+        };
+        for (i, blocks) in by_motion.iter().enumerate() {
+            for (j, block) in blocks.iter().enumerate() {
+                let mut view = stiffness.fixed_view_mut::<3, 3>(6 * node + 3 * i, 3 * j);
+                view.copy_from(&(block * axes));
+            }
+        }
+        let by_velocity = [identity * r.dot(&r), skew(&a)];
+        for (j, block) in by_velocity.iter().enumerate() {
+            let mut view = damping.fixed_view_mut::<3, 3>(6 * node, 3 * j);
+            view.copy_from(block);
+        }
+    }
+    Ok(())
+}
+
 /// Changes states, or own unknowns and their rates, by a step.
 type Change<'a> = dyn Fn(f64, &mut Vec<NodeState>, &mut (Vec<f64>, Vec<f64>)) + 'a;
 
@@ -720,16 +807,20 @@ fn tangents_are_the_derivatives_of_forces() {
         for column in 0..6 * nodes {
             let (node, k) = (column / 6, column % 6);
             let unit = |step: f64| Vector6::from_fn(|i, _| if i == k { step } else { 0.0 });
+            let column_of = |tangent: &DMatrix<f64>| match case.element.couples_nodes() {
+                true => tangent.column(column).into_owned(),
+                false => {
+                    let mut own = DVector::zeros(6 * nodes);
+                    let rows = tangent.fixed_view::<6, 1>(6 * node, k);
+                    own.fixed_rows_mut::<6>(6 * node).copy_from(&rows);
+                    own
+                }
+            };
             let (force, constraint) = difference(&|step, states, _| {
                 states[node].motion = states[node].motion.increment(&unit(step));
             });
             let scale = exact.stiffness.amax();
-            check(
-                "stiffness",
-                exact.stiffness.column(column).into_owned(),
-                &force,
-                scale,
-            );
+            check("stiffness", column_of(&exact.stiffness), &force, scale);
             check(
                 "gradient",
                 exact.gradient.column(column).into_owned(),
@@ -744,19 +835,9 @@ fn tangents_are_the_derivatives_of_forces() {
             };
             check("gradient by velocity", by_velocity, &constraint, 1.0);
             let scale = exact.damping.amax();
-            check(
-                "damping",
-                exact.damping.column(column).into_owned(),
-                &force,
-                scale,
-            );
+            check("damping", column_of(&exact.damping), &force, scale);
             let (force, _) = difference(&|step, states, _| states[node].twist_rate += unit(step));
-            check(
-                "mass",
-                exact.mass.column(column).into_owned(),
-                &force,
-                exact.mass.amax(),
-            );
+            check("mass", column_of(&exact.mass), &force, exact.mass.amax());
         }
         for row in 0..count {
             let (force, constraint) = difference(&|step, _, own| own.0[row] += step);

@@ -8,6 +8,7 @@ use crate::error::{Error, ErrorKind, Result};
 use crate::motion::{Motion, rotation_from_vector, skew, turn_of_both, turned};
 use nalgebra::{DMatrix, Matrix3, Matrix6, Vector3, Vector6};
 use std::fmt;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// What a [`NodeForceFunction`] may depend on: time, and motions of its nodes, in their order.
@@ -22,6 +23,8 @@ pub struct NodeForceInput<'a> {
     /// `[velocity; angular velocity]` relative to the inertial frame, along its or the nodes' own
     /// axes. In a frame that turns steadily, positions, rotations and these are along its axes.
     pub velocities: &'a [Vector6<f64>],
+    /// Nodes whose motions tangents are by: all, or the own one of each force if nodes are apart.
+    pub columns: usize,
 }
 
 /// Where a [`NodeForceFunction`] writes; everything is zero at first.
@@ -32,7 +35,8 @@ pub struct NodeForceInput<'a> {
 pub struct NodeForceOutput<'a> {
     /// `[force; moment]` on each node.
     pub forces: &'a mut [Vector6<f64>],
-    /// `∂force/∂increment` and `∂force/∂velocity`, `6 n × 6 n`, if wanted.
+    /// `∂force/∂increment` and `∂force/∂velocity`, `6 n × 6 n`, if wanted; `6 n × 6`, of each node
+    /// by its own motion, if nodes are apart.
     pub tangents: Option<(&'a mut DMatrix<f64>, &'a mut DMatrix<f64>)>,
 }
 
@@ -69,6 +73,8 @@ pub struct UserForce {
     /// time.
     length: f64,
     frequency: f64,
+    /// Whether the force on each node depends on its own motion alone.
+    apart: bool,
 }
 
 /// Arguments and results of the user's function; kept between evaluations.
@@ -78,6 +84,8 @@ pub(super) struct Scratch {
     rotations: Vec<Matrix3<f64>>,
     velocities: Vec<Vector6<f64>>,
     forces: Vec<Vector6<f64>>,
+    /// What is moved for differences, as it was.
+    kept: Vec<(Motion, Vector6<f64>)>,
     /// Forces to either side, for differences.
     sides: [Vec<Vector6<f64>>; 2],
     stiffness: DMatrix<f64>,
@@ -106,7 +114,8 @@ pub(super) const COMPONENTS: [&str; 6] = [
 ];
 
 impl Scratch {
-    fn load(&mut self, frame: LoadFrame, states: &[NodeState], with_tangents: bool) {
+    /// `columns`: of tangents, none if these are not wanted.
+    fn load(&mut self, frame: LoadFrame, states: &[NodeState], columns: usize) {
         let n = states.len();
         self.positions.clear();
         self.rotations.clear();
@@ -124,9 +133,27 @@ impl Scratch {
         for side in &mut self.sides {
             side.resize(n, Vector6::zeros());
         }
-        if with_tangents && self.stiffness.nrows() != 6 * n {
-            self.stiffness = DMatrix::zeros(6 * n, 6 * n);
-            self.damping = DMatrix::zeros(6 * n, 6 * n);
+        if columns > 0 && self.stiffness.shape() != (6 * n, columns) {
+            self.stiffness = DMatrix::zeros(6 * n, columns);
+            self.damping = DMatrix::zeros(6 * n, columns);
+        }
+    }
+
+    /// Keeps the motions and velocities of some nodes.
+    fn keep(&mut self, nodes: Range<usize>) {
+        self.kept.clear();
+        for node in nodes {
+            let motion = Motion::new(self.rotations[node], self.positions[node]);
+            self.kept.push((motion, self.velocities[node]));
+        }
+    }
+
+    /// Brings them back.
+    fn restore(&mut self, nodes: Range<usize>) {
+        for (node, (motion, velocity)) in nodes.zip(&self.kept) {
+            self.rotations[node] = motion.rotation;
+            self.positions[node] = motion.position;
+            self.velocities[node] = *velocity;
         }
     }
 
@@ -172,6 +199,20 @@ impl UserForce {
             law,
             length,
             frequency,
+            apart: false,
+        }
+    }
+
+    /// The same, whose nodes are apart or not.
+    pub fn with_nodes_apart(self, apart: bool) -> Self {
+        UserForce { apart, ..self }
+    }
+
+    /// Columns of tangents.
+    fn columns(&self) -> usize {
+        match self.apart {
+            true => 6,
+            false => 6 * self.nodes.len(),
         }
     }
 
@@ -191,6 +232,7 @@ impl UserForce {
             sides,
             stiffness,
             damping,
+            ..
         } = scratch;
         let forces = match side {
             None => forces,
@@ -206,6 +248,7 @@ impl UserForce {
             positions,
             rotations,
             velocities,
+            columns: self.columns() / 6,
         };
         let mut output = NodeForceOutput {
             forces,
@@ -222,12 +265,13 @@ impl UserForce {
             for (m, kind) in [(stiffness, "motion"), (damping, "velocity")] {
                 if let Some(at) = m.iter().position(|x| !x.is_finite()) {
                     let (row, column) = (at % m.nrows(), at / m.nrows());
+                    let by = if self.apart { row / 6 } else { column / 6 };
                     let what = format!(
                         "derivative of {} on node {} by component {} of the {kind} of node {}",
                         COMPONENTS[row % 6],
                         self.nodes[row / 6],
                         column % 6 + 1,
-                        self.nodes[column / 6]
+                        self.nodes[by]
                     );
                     return Err(not_finite(&what, time, m[at]));
                 }
@@ -237,30 +281,37 @@ impl UserForce {
     }
 
     /// Writes differences of the forces, of second order, to `scratch.stiffness` and
-    /// `scratch.damping`.
+    /// `scratch.damping`: of all nodes at once where these are apart.
     fn difference(&self, time: f64, scratch: &mut Scratch) -> Result<()> {
         let turn_rate = self.frequency;
-        for column in 0..6 * self.nodes.len() {
-            let (node, component) = (column / 6, column % 6);
+        for column in 0..self.columns() {
+            let component = column % 6;
+            let moving = match self.apart {
+                true => 0..self.nodes.len(),
+                false => column / 6..column / 6 + 1,
+            };
             let size = if component < 3 { self.length } else { 1.0 };
-            let here = (scratch.positions[node], scratch.rotations[node]);
+            scratch.keep(moving.clone());
             let h = difference_step(size);
             for (side, step) in [h, -h].into_iter().enumerate() {
-                scratch.displace(self.law.frame, node, component, step);
+                for node in moving.clone() {
+                    scratch.displace(self.law.frame, node, component, step);
+                }
                 self.call(time, scratch, Some(side), false)?;
-                (scratch.positions[node], scratch.rotations[node]) = here;
+                scratch.restore(moving.clone());
             }
             write_slope(&scratch.sides, 2.0 * h, &mut scratch.stiffness, column);
 
-            let v = scratch.velocities[node][component];
-            let h = difference_step((size * turn_rate).max(v.abs()));
-            let (up, down) = (v + h, v - h);
-            for (side, value) in [up, down].into_iter().enumerate() {
-                scratch.velocities[node][component] = value;
+            let fastest = |most: f64, v: &Vector6<f64>| most.max(v[component].abs());
+            let fastest = scratch.velocities[moving.clone()].iter().fold(0.0, fastest);
+            let h = difference_step((size * turn_rate).max(fastest));
+            for (side, step) in [h, -h].into_iter().enumerate() {
+                let velocities = &mut scratch.velocities[moving.clone()];
+                velocities.iter_mut().for_each(|v| v[component] += step);
                 self.call(time, scratch, Some(side), false)?;
+                scratch.restore(moving.clone());
             }
-            scratch.velocities[node][component] = v;
-            write_slope(&scratch.sides, up - down, &mut scratch.damping, column);
+            write_slope(&scratch.sides, 2.0 * h, &mut scratch.damping, column);
         }
         Ok(())
     }
@@ -268,7 +319,7 @@ impl UserForce {
     /// The user's forces, in the user's axes.
     pub fn forces(&self, time: f64, states: &[NodeState]) -> Result<Vec<Vector6<f64>>> {
         let mut scratch = Scratch::default();
-        scratch.load(self.law.frame, states, false);
+        scratch.load(self.law.frame, states, 0);
         self.call(time, &mut scratch, None, false)?;
         Ok(scratch.forces)
     }
@@ -276,7 +327,7 @@ impl UserForce {
     /// The user's tangents next to differences, in the user's axes.
     pub fn tangent_pairs(&self, time: f64, states: &[NodeState]) -> Result<TangentPairs> {
         let mut scratch = Scratch::default();
-        scratch.load(self.law.frame, states, true);
+        scratch.load(self.law.frame, states, self.columns());
         self.call(time, &mut scratch, None, true)?;
         let given = [scratch.stiffness.clone(), scratch.damping.clone()];
         self.difference(time, &mut scratch)?;
@@ -313,6 +364,10 @@ impl Element for UserForce {
         &self.nodes
     }
 
+    fn couples_nodes(&self) -> bool {
+        !self.apart
+    }
+
     fn has_damping(&self) -> bool {
         true
     }
@@ -338,7 +393,8 @@ impl UserForce {
         out: &mut Contribution,
     ) -> Result<()> {
         let tangents = out.with_tangents;
-        scratch.load(self.law.frame, instant.nodes, tangents);
+        let columns = if tangents { self.columns() } else { 0 };
+        scratch.load(self.law.frame, instant.nodes, columns);
         self.call(
             instant.time,
             scratch,
@@ -362,7 +418,10 @@ impl UserForce {
                 continue;
             }
             for (b, other) in instant.nodes.iter().enumerate() {
-                let block = |m: &DMatrix<f64>| m.fixed_view::<6, 6>(6 * a, 6 * b).into_owned();
+                let Some((row, column)) = out.place(a, b) else {
+                    continue;
+                };
+                let block = |m: &DMatrix<f64>| m.fixed_view::<6, 6>(row, column).into_owned();
                 let (mut k, mut c) = (block(&scratch.stiffness), block(&scratch.damping));
                 if let Some(back) = &back {
                     // Increments and velocities in space are R times the material ones, and Δ(R V)
@@ -376,8 +435,8 @@ impl UserForce {
                         k += skews(&force);
                     }
                 }
-                out.add_stiffness(a, b, &-k);
-                out.add_damping(a, b, &-c);
+                out.add_stiffness(a, column / 6, &-k);
+                out.add_damping(a, column / 6, &-c);
             }
         }
         Ok(())

@@ -4,7 +4,7 @@ use super::inertia::InertiaDefinition;
 use super::target::no_such_signal;
 use super::validation::{require_elements, require_positive};
 use super::{ForceDefinition, ForceNumber, Model, SectionInput, Signal, SignalPlace, Target};
-use crate::elements::ShellSection;
+use crate::elements::{BeamLoadFrame, LoadFrame, ShellSection};
 use crate::error::{Error, ErrorKind, Result, require_id};
 use nalgebra::Matrix6;
 
@@ -51,7 +51,8 @@ impl Model {
     fn require_not_moved(&self, force: usize, which: ForceNumber) -> Result<()> {
         let moves = |target: &Target| match (target, which) {
             (Target::Stiffness(other, _), ForceNumber::Stiffness)
-            | (Target::Damping(other, _), ForceNumber::Damping) => *other == force,
+            | (Target::Damping(other, _), ForceNumber::Damping)
+            | (Target::Rest(other), ForceNumber::Rest) => *other == force,
             _ => false,
         };
         let mut parameters = self.parameters.iter();
@@ -65,6 +66,39 @@ impl Model {
                 Err(Error::new(ErrorKind::Value, message))
             }
         }
+    }
+
+    /// Gives a load at a point another frame.
+    ///
+    /// # Errors
+    /// If there is no such load.
+    pub fn set_load_frame(&mut self, load: usize, frame: LoadFrame) -> Result<()> {
+        require_id("load", "load", self.loads.len(), load)?;
+        self.loads[load].frame = frame;
+        Ok(())
+    }
+
+    /// Gives a load along beam elements another frame.
+    ///
+    /// # Errors
+    /// If there is no such load, or its frame cannot be.
+    pub fn set_beam_load_frame(&mut self, load: usize, frame: BeamLoadFrame) -> Result<()> {
+        require_id("load", "beam load", self.distributed_loads.len(), load)?;
+        let mut changed = self.distributed_loads[load].clone();
+        changed.frame = frame;
+        self.require_load(&changed)?;
+        self.distributed_loads[load] = changed;
+        Ok(())
+    }
+
+    /// Gives a load on shell elements another frame.
+    ///
+    /// # Errors
+    /// If there is no such load.
+    pub fn set_shell_load_frame(&mut self, load: usize, frame: LoadFrame) -> Result<()> {
+        require_id("load", "shell load", self.shell_loads.len(), load)?;
+        self.shell_loads[load].frame = frame;
+        Ok(())
     }
 
     /// Gives beam elements another section, the same all along them; their twist stays.
@@ -168,7 +202,7 @@ fn require_as_massive(element: usize, had_mass: bool, has_mass: bool) -> Result<
 impl ForceDefinition {
     /// Sets as many numbers of a sort as it has.
     fn set_numbers(&mut self, which: ForceNumber, values: &[f64]) {
-        use ForceNumber::{Damping, RelaxationTime, Stiffness};
+        use ForceNumber::{Damping, RelaxationTime, Rest, Stiffness};
         let matrix = || Matrix6::from_column_slice(values);
         match (self, which) {
             (ForceDefinition::SpringDamper { stiffness, .. }, Stiffness) => {
@@ -177,6 +211,11 @@ impl ForceDefinition {
             (ForceDefinition::SpringDamper { damping, .. }, Damping) => {
                 damping.copy_from_slice(values);
             }
+            (
+                ForceDefinition::SpringDamper { rest, .. }
+                | ForceDefinition::Viscoelastic { rest, .. },
+                Rest,
+            ) => values.iter().for_each(|value| *rest = *value),
             (
                 ForceDefinition::Viscoelastic {
                     stiffness,

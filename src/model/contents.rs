@@ -74,7 +74,7 @@ impl Model {
         &self.prescribed
     }
 
-    /// Loads on nodes, in the order in which they were added.
+    /// Loads at points, in the order in which they were added.
     pub fn loads(&self) -> &[LoadDefinition] {
         &self.loads
     }
@@ -118,13 +118,20 @@ pub enum ForceNumber {
     Damping,
     /// Relaxation times of the branches of a viscoelastic element.
     RelaxationTime,
+    /// The coordinate at which a spring or viscoelastic element is free of effort.
+    Rest,
 }
 
 impl ForceDefinition {
     /// Its numbers of a sort, with the factors of parameters; none if it has none.
     pub fn numbers(&self, which: ForceNumber) -> Vec<f64> {
-        use ForceNumber::{Damping, RelaxationTime, Stiffness};
+        use ForceNumber::{Damping, RelaxationTime, Rest, Stiffness};
         match (self, which) {
+            (
+                ForceDefinition::SpringDamper { rest, .. }
+                | ForceDefinition::Viscoelastic { rest, .. },
+                Rest,
+            ) => vec![*rest],
             (ForceDefinition::SpringDamper { stiffness, .. }, Stiffness) => stiffness.clone(),
             (ForceDefinition::SpringDamper { damping, .. }, Damping) => damping.clone(),
             (
@@ -165,15 +172,6 @@ impl ForceDefinition {
         match self {
             ForceDefinition::NodeForces { nodes, .. } => nodes,
             _ => &[],
-        }
-    }
-
-    /// The coordinate at which a spring or viscoelastic element is free of effort; else zero.
-    pub fn rest(&self) -> f64 {
-        match self {
-            ForceDefinition::SpringDamper { rest, .. }
-            | ForceDefinition::Viscoelastic { rest, .. } => *rest,
-            _ => 0.0,
         }
     }
 }

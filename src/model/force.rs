@@ -233,7 +233,27 @@ impl Model {
             nodes,
             law,
             cycles: 0,
+            apart: false,
         })
+    }
+
+    /// Declares that the force on each node of a user's function depends on time and on the motion
+    /// of this node alone: then the force couples no nodes, and its tangents are those of each.
+    ///
+    /// # Errors
+    /// If there is no such force, or it is none of a function on nodes.
+    pub fn declare_nodes_apart(&mut self, force: usize) -> Result<()> {
+        self.require_force("force", force)?;
+        match &mut self.forces[force] {
+            ForceDefinition::NodeForces { apart, .. } => {
+                *apart = true;
+                Ok(())
+            }
+            _ => {
+                let message = format!("force: {force} is no function's force on nodes");
+                Err(Error::new(ErrorKind::NotAvailable, message))
+            }
+        }
     }
 
     /// Declares the function of a force one of the phase `Ωt`, which it is then told, in radians,

@@ -71,6 +71,9 @@ pub enum ForceDefinition {
         /// Cycles of the phase that it is told in a period; 0 if it is told the time.
         #[serde(default)]
         cycles: usize,
+        /// Whether the force on each node depends on its own motion alone.
+        #[serde(default)]
+        apart: bool,
     },
     /// A law of the user that reads joint coordinates, has states, and acts on joint coordinates.
     Controller(Box<ControllerDefinition>),

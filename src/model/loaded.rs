@@ -1,6 +1,6 @@
 //! Models that come from a file: nothing in them is trusted.
 
-use super::{ForceDefinition, InertiaDefinition, Model};
+use super::{ForceDefinition, InertiaDefinition, LoadDefinition, Model};
 use crate::elements::Attachment;
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::motion::{Motion, is_rotation};
@@ -27,6 +27,7 @@ impl Model {
                 ForceDefinition::Bushing(_)
                     | ForceDefinition::Controller(_)
                     | ForceDefinition::SurfaceForces { .. }
+                    | ForceDefinition::NodeForces { apart: true, .. }
             )
         };
         !self.relations.is_empty()
@@ -34,6 +35,7 @@ impl Model {
             || !self.shell_loads.is_empty()
             || self.turning_frame.is_some()
             || self.rotor_symmetry.is_some()
+            || self.loads.iter().any(LoadDefinition::is_newer)
             || self.forces.iter().any(is_newer)
     }
 
@@ -100,7 +102,7 @@ impl Model {
             model.take_relation(relation)?;
         }
         for load in self.loads {
-            model.add_load(load.node, load.frame, load.components)?;
+            model.add_point_load(load)?;
         }
         for load in self.distributed_loads {
             model.add_distributed_load(load)?;

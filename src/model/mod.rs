@@ -46,7 +46,7 @@ pub use inertia::InertiaDefinition;
 pub use joint::{JointCoordinate, JointDefinition};
 pub use label::{LONGEST_LABEL, Labels};
 pub use line::{circular_arc, smooth_curve, straight_line};
-pub use load::{DistributedLoadDefinition, LoadDefinition, LoadPlace};
+pub use load::{DistributedLoadDefinition, LoadDefinition, LoadPlace, LoadPoint};
 pub use object::ObjectKind;
 pub use parameter::Parameter;
 pub use relation::RelationDefinition;

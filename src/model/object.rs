@@ -22,7 +22,7 @@ pub enum ObjectKind {
     Relation,
     /// A parameter.
     Parameter,
-    /// A load on a node.
+    /// A load at a point: on a node or a beam.
     Load,
     /// A load along beam elements.
     BeamLoad,

@@ -1,6 +1,5 @@
 //! Forces by functions of the user on the surfaces and edges of shells, and along beams.
 
-use super::validation::require_elements;
 use super::{ForceDefinition, Model, UserFunction};
 use crate::elements::{ForcePlace, SurfaceForce, SurfaceForceLaw};
 use crate::error::Result;
@@ -11,7 +10,8 @@ impl Model {
     /// `first_element` on. Returns the id of the first; the others follow.
     ///
     /// # Errors
-    /// If the elements or the edge do not exist.
+    /// If the elements or the edge do not exist; if the direction of an untwisted beam is along it
+    /// somewhere.
     pub fn add_surface_forces(
         &mut self,
         first_element: usize,
@@ -41,7 +41,7 @@ impl Model {
     ) -> Result<()> {
         match place.on_shell() {
             Some(place) => self.require_shell_place(elements, place),
-            None => require_elements("beam element", self.beams.len(), elements),
+            None => self.require_beam_axes(elements, place.axes_on_beam()),
         }
     }
 
@@ -61,7 +61,7 @@ impl Model {
             }
             None => {
                 let beam = self.beam_element(element)?;
-                SurfaceForce::along_beam((element, &beam), law, sizes)
+                SurfaceForce::along_beam((element, &beam), place, law, sizes)
             }
         }
     }

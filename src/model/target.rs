@@ -10,7 +10,7 @@ pub enum SignalPlace {
     Actuator(usize),
     /// Of a prescribed coordinate, in the order in which they were prescribed.
     Prescribed(usize),
-    /// Of a component of a load on a node, in the order in which these were added.
+    /// Of a component of a load at a point, in the order in which these were added.
     Load(usize, usize),
     /// Of a component of a load along beams, in the order in which these were added.
     DistributedLoad(usize, usize),
@@ -152,7 +152,15 @@ pub(super) fn no_such(target: Target) -> Error {
 
 /// The error of a place without a signal.
 pub(super) fn no_such_signal(place: SignalPlace) -> Error {
-    let message = format!("place: the model has no such signal: {place:?}");
+    let component = match place {
+        SignalPlace::Load(_, c)
+        | SignalPlace::DistributedLoad(_, c)
+        | SignalPlace::ShellLoad(_, c)
+        | SignalPlace::Gravity(c) => format!(", component {}", c + 1),
+        _ => String::new(),
+    };
+    let what = describe(place);
+    let message = format!("id: expected what has a signal there, got {what}{component}");
     Error::new(ErrorKind::NotAvailable, message)
 }
 

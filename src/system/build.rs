@@ -4,12 +4,13 @@ use super::driven::Drive;
 use super::scales::coordinate_scales;
 use super::{ElementRole, Placed, PlacedRelation, Regime, Scales, Symmetry, System};
 use crate::elements::{
-    ActedCoordinate, CoordinateForce, Element, JointKind, Law, MassDamping, NodalLoad, Prescribed,
-    Relation, UserForce, Viscoelastic, ViscousDamper,
+    ActedCoordinate, CoordinateForce, Element, JointKind, Law, MassDamping, Prescribed, Relation,
+    Viscoelastic, ViscousDamper,
 };
 use crate::error::{Error, ErrorKind, Result, require_positive_number};
 use crate::model::{
-    BoundSignal, ForceDefinition, JointCoordinate, JointDefinition, Model, Parameter, Signal,
+    BoundSignal, ForceDefinition, JointCoordinate, JointDefinition, LoadPoint, Model, Parameter,
+    Signal,
 };
 use crate::workers::no_threads_unasked;
 use std::collections::BTreeMap;
@@ -251,10 +252,13 @@ impl<'a> Builder<'a> {
 
     fn place_loads(&mut self) -> Result<()> {
         for (index, load) in self.model.loads.iter().enumerate() {
-            let place = format!("load {index} on node {}", load.node);
+            let place = match load.at {
+                LoadPoint::Node(node) => format!("load {index} on node {node}"),
+                LoadPoint::Beam { .. } => format!("load {index}"),
+            };
             let numbers = self.add_components(&load.components, &place)?;
-            let element = NodalLoad::new(load.node, load.frame, numbers);
-            self.system.place(Arc::new(element), ElementRole::Load);
+            let element = load.element(&self.system.beams, numbers)?;
+            self.system.place(element, ElementRole::Load);
         }
         // All those of a beam element together.
         let mut along = BTreeMap::new();
@@ -382,9 +386,14 @@ impl<'a> Builder<'a> {
                 matrix,
             } => Arc::new(ViscousDamper::new(*first, *second, **matrix)),
             ForceDefinition::Bushing(bushing) => Arc::new(bushing.element()),
-            ForceDefinition::NodeForces { nodes, law, cycles } => {
-                let law = self.node_law(law, *cycles).map_err(within)?;
-                Arc::new(UserForce::new(nodes.clone(), law, length, frequency))
+            ForceDefinition::NodeForces {
+                nodes,
+                law,
+                cycles,
+                apart,
+            } => {
+                let made = self.node_forces((nodes, *apart), (law, *cycles), length);
+                Arc::new(made.map_err(within)?)
             }
             ForceDefinition::Controller(controller) => {
                 let made = self.controller(controller, length);
@@ -435,13 +444,14 @@ impl<'a> Builder<'a> {
 impl System {
     pub(super) fn place(&mut self, element: Arc<dyn Element>, role: ElementRole) {
         let has_feedback = element.has_feedback();
-        let size = (element.nodes().len(), element.own_unknowns(), has_feedback);
+        let kind = [has_feedback, element.couples_nodes()];
+        let size = (element.nodes().len(), element.own_unknowns(), kind);
         let first_own = self.own_unknowns.len();
         self.own_unknowns
             .extend((0..size.1).map(|i| element.unknown(i)));
-        let known = self.shapes.iter().position(|s| *s == size);
+        let known = self.shapes.iter().position(|(s, _)| *s == size);
         let shape = known.unwrap_or_else(|| {
-            self.shapes.push(size);
+            self.shapes.push((size, element.clone()));
             self.shapes.len() - 1
         });
         let first_station = self.stations();

@@ -149,9 +149,11 @@ pub fn check_tangents(model: &Model, force: usize, period: f64) -> Result<Tangen
         ForceDefinition::CoordinateLaw { at, law, .. } => {
             law.get().and_then(|law| check.coordinate_law(at, law))
         }
-        ForceDefinition::NodeForces { nodes, law, .. } => {
-            law.get().and_then(|law| check.node_forces(nodes, law))
-        }
+        ForceDefinition::NodeForces {
+            nodes, law, apart, ..
+        } => law
+            .get()
+            .and_then(|law| check.node_forces(nodes, law, *apart)),
         ForceDefinition::Controller(controller) => check.controller(controller),
         ForceDefinition::SurfaceForces {
             element,
@@ -177,6 +179,16 @@ pub fn check_tangents(model: &Model, force: usize, period: f64) -> Result<Tangen
         worst.error = check.difference / check.largest;
     }
     Ok(worst)
+}
+
+/// A square matrix of the blocks of six columns that are below each other.
+fn side_by_side(blocks: &DMatrix<f64>) -> DMatrix<f64> {
+    let mut all = DMatrix::zeros(blocks.nrows(), blocks.nrows());
+    for first in (0..blocks.nrows()).step_by(6) {
+        let block = blocks.fixed_view::<6, 6>(first, 0);
+        all.fixed_view_mut::<6, 6>(first, first).copy_from(&block);
+    }
+    all
 }
 
 fn unavailable(why: &str) -> Error {
@@ -218,22 +230,28 @@ impl Check<'_> {
         Ok(())
     }
 
-    fn node_forces(&mut self, nodes: &[usize], law: &NodeForceLaw) -> Result<()> {
+    fn node_forces(&mut self, nodes: &[usize], law: &NodeForceLaw, apart: bool) -> Result<()> {
         if !law.gives_tangents {
             return Err(unavailable(DIFFERENCED));
         }
         let (length, frequency) = (self.length, TAU / self.period);
         let element = UserForce::new(nodes.to_vec(), law.clone(), length, frequency);
+        let element = element.with_nodes_apart(apart);
         let sizes = |component: usize| if component < 3 { length } else { 1.0 };
         for time in self.times() {
             let states = self.probe.nodes(self.model, nodes);
             let pairs = element.tangent_pairs(time, &states)?;
             let tangents = [(Tangent::Stiffness, 1.0), (Tangent::Damping, frequency)];
             for (i, (tangent, rate)) in tangents.into_iter().enumerate() {
+                let all = [&pairs.given[i], &pairs.differenced[i]];
+                let all = all.map(|tangents| match apart {
+                    true => side_by_side(tangents),
+                    false => tangents.clone(),
+                });
                 let entries = Entries {
                     tangent,
-                    given: &pairs.given[i],
-                    differenced: &pairs.differenced[i],
+                    given: &all[0],
+                    differenced: &all[1],
                 };
                 let weight = |row: usize, column: usize| {
                     let force = if row % 6 < 3 { 1.0 } else { 1.0 / length };

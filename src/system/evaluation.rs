@@ -64,10 +64,7 @@ impl System {
             contributions: self
                 .shapes
                 .iter()
-                .map(|&(nodes, own, has_feedback)| match has_feedback {
-                    true => Contribution::with_feedback(nodes, own, with_tangents),
-                    false => Contribution::new(nodes, own, with_tangents),
-                })
+                .map(|(_, like)| Contribution::of(&**like, with_tangents))
                 .collect(),
             states: Vec::new(),
             changes: Vec::new(),

@@ -98,8 +98,9 @@ pub struct System {
     /// Reference motions of the nodes.
     reference: Vec<Motion>,
     elements: Vec<Placed>,
-    /// Nodes and own unknowns of each kind of scratch, and whether it is for feedback.
-    shapes: Vec<(usize, usize, bool)>,
+    /// Nodes and own unknowns of each kind of scratch, whether it is for feedback, and whether
+    /// nodes are coupled; the first element of each.
+    shapes: Vec<((usize, usize, [bool; 2]), Arc<dyn Element>)>,
     /// What each own unknown of the elements is.
     own_unknowns: Vec<Unknown>,
     signals: Vec<DrivenSignal>,

@@ -2,9 +2,10 @@
 
 use super::check::Probe;
 use super::scales::coordinate_scales;
-use crate::elements::{CoordinateState, Element, UserForce};
+use crate::elements::{CoordinateState, Element, NodeState, UserForce};
 use crate::error::{Error, ErrorKind, Result};
 use crate::model::{ForceDefinition, Model};
+use nalgebra::Vector6;
 use std::f64::consts::TAU;
 
 /// Relative differences of two calls that are none: a function that iterates leaves as much.
@@ -62,7 +63,12 @@ fn require_repeating_forces(
                 require_repeating(effort, times, period)
                     .map_err(|e| e.within(format!("force {index} on joint {}", at.joint)))?;
             }
-            ForceDefinition::NodeForces { nodes, law, cycles } => {
+            ForceDefinition::NodeForces {
+                nodes,
+                law,
+                cycles,
+                apart,
+            } => {
                 let law = law.get()?;
                 let states = probe.nodes(model, nodes);
                 let element = UserForce::new(nodes.clone(), law.clone(), length, frequency);
@@ -71,8 +77,13 @@ fn require_repeating_forces(
                     let forces = element.forces(time * unit, &states)?;
                     Ok(forces.iter().flatten().copied().collect())
                 };
-                require_repeating(forces, times, period)
-                    .map_err(|e| e.within(format!("force {index}")))?;
+                let within = |e: Error| e.within(format!("force {index}"));
+                require_repeating(forces, times, period).map_err(within)?;
+                if *apart && let Some(time) = times.first() {
+                    let others = probe.nodes(model, nodes);
+                    let at = |states: &[NodeState]| element.forces(time * unit, states);
+                    require_apart(at, nodes, [&states, &others]).map_err(within)?;
+                }
             }
             ForceDefinition::Controller(controller) => {
                 let law = controller.law.get()?;
@@ -104,6 +115,37 @@ fn require_repeating_forces(
                     .map_err(|e| e.within(format!("force {index}")))?;
             }
             _ => {}
+        }
+    }
+    Ok(())
+}
+
+/// Refuses forces on nodes that are said to depend on their own motions alone where they change
+/// with those of every second node of theirs.
+fn require_apart(
+    forces: impl Fn(&[NodeState]) -> Result<Vec<Vector6<f64>>>,
+    nodes: &[usize],
+    [states, others]: [&[NodeState]; 2],
+) -> Result<()> {
+    let mixed: Vec<NodeState> = (states.iter().zip(others).enumerate())
+        .map(|(place, (state, other))| if place % 2 == 0 { *state } else { *other })
+        .collect();
+    // As above, the solve tells of what the function refuses.
+    let (Ok(at_states), Ok(at_others), Ok(at_mixed)) =
+        (forces(states), forces(others), forces(&mixed))
+    else {
+        return Ok(());
+    };
+    let all = at_states.iter().zip(&at_others).zip(&at_mixed).enumerate();
+    for (place, ((state, other), found)) in all {
+        let expected = if place % 2 == 0 { state } else { other };
+        if different(expected.as_slice(), found.as_slice(), SAME).is_some() {
+            let message = format!(
+                "its nodes were declared apart, but the force on node {} changes with the motions \
+                 of others",
+                nodes[place]
+            );
+            return Err(Error::new(ErrorKind::Model, message));
         }
     }
     Ok(())

@@ -53,17 +53,22 @@ impl Scales {
             let out = system.evaluate_relaxed(placed, at_rest, &signals, &mut workspace)?;
             let nodes = placed.element.nodes().len();
             for a in 0..nodes {
+                // A node is coupled with itself.
+                let Some((_, column)) = out.place(a, a) else {
+                    continue;
+                };
                 for k in 0..3 {
                     load_force = load_force.max(out.force[6 * a + k].abs());
                     load_moment = load_moment.max(out.force[6 * a + 3 + k].abs());
-                    linear = linear.max(out.stiffness[(6 * a + k, 6 * a + k)].abs());
-                    angular = angular.max(out.stiffness[(6 * a + 3 + k, 6 * a + 3 + k)].abs());
-                    let m = out.mass[(6 * a + k, 6 * a + k)];
+                    linear = linear.max(out.stiffness[(6 * a + k, column + k)].abs());
+                    angular = angular.max(out.stiffness[(6 * a + 3 + k, column + 3 + k)].abs());
+                    let m = out.mass[(6 * a + k, column + k)];
                     if m > 0.0 {
-                        gyration2 = gyration2.max(out.mass[(6 * a + 3 + k, 6 * a + 3 + k)] / m);
+                        gyration2 = gyration2.max(out.mass[(6 * a + 3 + k, column + 3 + k)] / m);
                     }
                     mass += (0..nodes)
-                        .map(|b| out.mass[(6 * a + k, 6 * b + k)])
+                        .filter_map(|b| out.place(a, b))
+                        .map(|(row, column)| out.mass[(row + k, column + k)])
                         .sum::<f64>()
                         / 3.0;
                 }

@@ -5,7 +5,7 @@ use super::shell_overlaps::overlapping;
 use super::shell_seams::unmatched;
 use super::{ElementRole, System};
 use crate::elements::{Attachment, Element, JointKind, LoadFrame, Measure, Shell};
-use crate::model::{ForceDefinition, Model};
+use crate::model::{ForceDefinition, LoadPoint, Model, Signal};
 use nalgebra::{Matrix3, Vector3};
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
@@ -225,19 +225,26 @@ fn couples_of_loads(
 ) -> BTreeSet<usize> {
     let mut loaded = BTreeSet::new();
     for load in &model.loads {
-        let Some(normal) = normals.get(&load.node) else {
+        let LoadPoint::Node(node) = load.at else {
             continue;
         };
-        let normal = match load.frame {
-            LoadFrame::Space => *normal,
-            LoadFrame::Follower => model.nodes[load.node].rotation.tr_mul(normal),
+        let Some(normal) = normals.get(&node) else {
+            continue;
         };
-        let moments = load.components[3..].iter().zip(normal.iter());
-        let acts = |(moment, along): (&Option<crate::model::Signal>, &f64)| {
-            along.abs() > ALONG && moment.as_ref().is_some_and(|m| !m.is_zero())
+        let rotation = &model.nodes[node].rotation;
+        let (normal, arm) = match load.frame {
+            LoadFrame::Space => (*normal, rotation * load.offset),
+            LoadFrame::Follower => (rotation.tr_mul(normal), load.offset),
         };
-        if moments.into_iter().any(acts) {
-            loaded.insert(load.node);
+        // Moments about the normal of forces, and of moments, of one each.
+        let by_forces = normal.cross(&arm);
+        let along = by_forces.iter().map(|x| x.abs() > ALONG * arm.norm());
+        let along = along.chain(normal.iter().map(|x| x.abs() > ALONG));
+        let acts = |(component, along): (&Option<Signal>, bool)| {
+            along && component.as_ref().is_some_and(|c| !c.is_zero())
+        };
+        if load.components.iter().zip(along).any(acts) {
+            loaded.insert(node);
         }
     }
     if loaded.is_empty() {

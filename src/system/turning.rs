@@ -37,7 +37,7 @@ pub(super) fn add_variation(
     let carried = tilde(&(state.motion.inverse().adjoint() * frame));
     let twist = tilde(&state.twist);
     for a in 0..out.force.len() / 6 {
-        let at = (6 * a, 6 * b);
+        let Some(at) = out.place(a, b) else { continue };
         let mass: Matrix6<f64> = out.mass.fixed_view::<6, 6>(at.0, at.1).into_owned();
         let damping: Matrix6<f64> = out.damping.fixed_view::<6, 6>(at.0, at.1).into_owned();
         let mut view = out.damping.fixed_view_mut::<6, 6>(at.0, at.1);

@@ -5,6 +5,7 @@ use super::scales::coordinate_scales;
 use crate::elements::{
     Controller, ControllerInput, ControllerLaw, CoordinateLaw, CoordinateState, Effort, ForcePlace,
     LoadFrame, NodeForceInput, NodeForceLaw, SurfaceForce, SurfaceForceInput, SurfaceForceLaw,
+    UserForce,
 };
 use crate::error::{Error, Result};
 use crate::model::{ControllerDefinition, UserFunction};
@@ -86,6 +87,20 @@ impl Builder<'_> {
         Ok(law)
     }
 
+    /// A user's forces on nodes, whose function is told the time. Motions are of the order of
+    /// `length`.
+    pub(super) fn node_forces(
+        &mut self,
+        (nodes, apart): (&[usize], bool),
+        (law, cycles): (&UserFunction<NodeForceLaw>, usize),
+        length: f64,
+    ) -> Result<UserForce> {
+        let law = self.node_law(law, cycles)?;
+        let frequency = TAU / self.system.period();
+        let force = UserForce::new(nodes.to_vec(), law, length, frequency);
+        Ok(force.with_nodes_apart(apart))
+    }
+
     /// A user's forces on an element, whose function is told the time. Motions are of the order of
     /// `length`.
     pub(super) fn surface_force(
@@ -103,7 +118,7 @@ impl Builder<'_> {
             }
             None => {
                 let beam = &*self.system.beams[element];
-                SurfaceForce::along_beam((element, beam), law, sizes)
+                SurfaceForce::along_beam((element, beam), place, law, sizes)
             }
         }
     }

@@ -267,9 +267,6 @@ IS(PDN_LINEAR_CIRCULANT, 3505);
 IS(PDN_FRAME_FIRST, 1603);
 IS(PDN_FRAME_SECOND, 1604);
 
-
-
-
 IS(PDN_STAGE_INITIAL_GUESS, 3200);
 IS(PDN_STAGE_NEWTON, 3201);
 
@@ -453,7 +450,7 @@ AT(pdn_controller_values, state_rates, 24);
 AT(pdn_controller_values, by_inputs, 32);
 AT(pdn_controller_values, by_input_rates, 40);
 AT(pdn_controller_values, by_states, 48);
-SIZE(pdn_force_info, 264);
+SIZE(pdn_force_info, 288);
 AT(pdn_force_info, struct_size, 0);
 AT(pdn_force_info, kind, 8);
 AT(pdn_force_info, joint, 12);
@@ -473,7 +470,8 @@ AT(pdn_force_info, second_rotation, 176);
 AT(pdn_force_info, shell_element, 248);
 AT(pdn_force_info, shell_place, 252);
 AT(pdn_force_info, beam_element, 256);
-AT(pdn_force_info, reserved, 260);
+AT(pdn_force_info, nodes_apart, 260);
+AT(pdn_force_info, axis_2, 264);
 
 SIZE(pdn_branch_point, 88);
 AT(pdn_branch_point, struct_size, 0);
@@ -520,6 +518,7 @@ IS(PDN_EVENT_BRANCH_POINT, 4102);
 IS(PDN_EVENT_PERIOD_DOUBLING, 4103);
 IS(PDN_EVENT_TORUS, 4104);
 IS(PDN_FREQUENCY, -3);
+IS(PDN_GRAVITY, -4);
 IS(PDN_NUMBER_STIFFNESS, 3600);
 IS(PDN_NUMBER_DAMPING, 3601);
 IS(PDN_NUMBER_REST, 3602);
@@ -533,13 +532,6 @@ IS(PDN_NUMBER_SHELL_MASS, 3610);
 IS(PDN_NUMBER_SHELL_DAMPING, 3611);
 IS(PDN_NUMBER_SHELL_THICKNESS, 3612);
 IS(PDN_NUMBER_FRAME_RATE, 3613);
-IS(PDN_SIGNAL_OF_ACTUATOR, 3700);
-IS(PDN_SIGNAL_OF_PRESCRIBED, 3701);
-IS(PDN_SIGNAL_OF_LOAD, 3702);
-IS(PDN_SIGNAL_OF_BEAM_LOAD, 3703);
-IS(PDN_SIGNAL_OF_GRAVITY, 3704);
-IS(PDN_SIGNAL_OF_RELATION, 3705);
-IS(PDN_SIGNAL_OF_SHELL_LOAD, 3706);
 IS(PDN_ANGLES_ROTATION_VECTOR, 2100);
 IS(PDN_ANGLES_TILT_AND_SPIN, 2101);
 IS(PDN_JOINT_SCREW, 1308);

@@ -44,20 +44,6 @@ static inline void check_message(const char *text, const char *file, int line)
     }
 }
 
-/* Points to a quantity: kind and object, then the component or fields by name where they are not
- * the defaults, as in ASK(PDN_BEAM_FORCE, element, .station = -1). */
-#define ASK(...)                                                                                   \
-    (&(const pdn_quantity){.component = PDN_ALL_COMPONENTS,                                        \
-                           .frame = PDN_FRAME_SPACE,                                               \
-                           .struct_size = sizeof(pdn_quantity),                                    \
-                           __VA_ARGS__})
-/* Fields that are given come after their defaults. */
-#if defined(__clang__)
-#pragma clang diagnostic ignored "-Winitializer-overrides"
-#elif defined(__GNUC__)
-#pragma GCC diagnostic ignored "-Woverride-init"
-#endif
-
 /* Ids of the things of a kind, from 0 in the order in which they were added. */
 #define NODE(number) (PDN_FIRST_NODE + (number))
 #define JOINT(number) (PDN_FIRST_JOINT + (number))

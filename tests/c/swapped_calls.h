@@ -60,6 +60,21 @@ static pdn_status add_load(const int32_t *v)
     return pdn_model_add_load(model, v[0], v[1], v[2], &signal, NULL);
 }
 
+static pdn_status add_load_at_point(const int32_t *v)
+{
+    return pdn_model_add_load_at_point(model, v[0], values, v[1], v[2], &signal, NULL);
+}
+
+static pdn_status add_load_on_beam(const int32_t *v)
+{
+    return pdn_model_add_load_on_beam(model, v[0], v[1], 0.5, NULL, v[2], v[3], &signal, NULL);
+}
+
+static pdn_status set_load_frame(const int32_t *v)
+{
+    return pdn_model_set_load_frame(model, v[0], v[1], NULL);
+}
+
 static pdn_status add_distributed_load(const int32_t *v)
 {
     return pdn_model_add_distributed_load(model, v[0], v[1], v[2], v[3], &signal, NULL, NULL, 0,
@@ -109,11 +124,6 @@ static pdn_status add_user_force(const int32_t *v)
     return pdn_model_add_user_force(model, &node, 1, v[0], v[1], forces, NULL, NULL, NULL);
 }
 
-static pdn_status set_label(const int32_t *v)
-{
-    return pdn_model_set_label(model, v[0], v[1], "a");
-}
-
 static pdn_status move_number(const int32_t *v)
 {
     return pdn_model_move_number(model, v[0], v[1], v[2], v[3], 1);
@@ -121,7 +131,7 @@ static pdn_status move_number(const int32_t *v)
 
 static pdn_status move_signal(const int32_t *v)
 {
-    return pdn_model_move_signal(model, v[0], v[1], v[2], v[3], v[4], 1);
+    return pdn_model_move_signal(model, v[0], v[1], v[2], v[3], 1);
 }
 
 static pdn_status force_number(const int32_t *v)
@@ -131,28 +141,32 @@ static pdn_status force_number(const int32_t *v)
 
 static pdn_status sample_signal(const int32_t *v)
 {
-    return pdn_model_sample_signal(model, v[0], v[1], v[2], 2, time_, 1, values);
+    return pdn_model_sample_signal(model, v[0], v[1], 2, time_, 1, values);
 }
 
 static pdn_status sample(const int32_t *v)
 {
-    return pdn_solution_sample(solution, ASK(v[0], v[1], v[2]), time_, 1, values);
+    return pdn_solution_sample(solution, PDN_QUANTITY(v[0], v[1], v[2]), time_, 1, values);
 }
 
 static pdn_status sample_in_frame(const int32_t *v)
 {
-    return pdn_solution_sample(solution, ASK(v[0], v[1], .frame = v[2]), time_, 1, values);
+    return pdn_solution_sample(
+        solution, PDN_QUANTITY(v[0], v[1], PDN_ALL_COMPONENTS, .frame = v[2]), time_, 1, values);
 }
 
 static pdn_status force_on_node(const int32_t *v)
 {
-    return pdn_solution_sample(solution, ASK(PDN_FORCE_ON_NODE, v[0], .node = v[1], .frame = v[2]),
-                               time_, 1, values);
+    return pdn_solution_sample(
+        solution,
+        PDN_QUANTITY(PDN_FORCE_ON_NODE, v[0], PDN_ALL_COMPONENTS, .node = v[1], .frame = v[2]),
+        time_, 1, values);
 }
 
 static pdn_status harmonics(const int32_t *v)
 {
-    return pdn_solution_harmonics(solution, ASK(v[0], v[1]), 0, values, NULL, NULL, NULL);
+    return pdn_solution_harmonics(solution, PDN_QUANTITY(v[0], v[1], PDN_ALL_COMPONENTS), 0, values,
+                                  NULL, NULL, NULL);
 }
 
 static pdn_status filtered(const int32_t *v)
@@ -181,7 +195,7 @@ static pdn_status surface_force(const int32_t *v)
 
 static pdn_status line_force(const int32_t *v)
 {
-    return pdn_model_add_line_force(model, v[0], v[1], v[2], v[3], surface_forces, NULL, NULL,
+    return pdn_model_add_line_force(model, v[0], v[1], v[2], NULL, v[3], surface_forces, NULL, NULL,
                                     NULL);
 }
 
@@ -208,7 +222,7 @@ static pdn_status shell_section(const int32_t *v)
 
 static pdn_status set_signal(const int32_t *v)
 {
-    return pdn_model_set_signal(model, v[0], v[1], v[2], &signal);
+    return pdn_model_set_signal(model, v[0], v[1], &signal);
 }
 
 static pdn_status force_numbers(const int32_t *v)
@@ -234,12 +248,6 @@ static pdn_status bind_user_force(const int32_t *v)
 static pdn_status bind_surface_force(const int32_t *v)
 {
     return pdn_model_bind_surface_force(model, v[0], v[1], v[2], v[3], surface_forces, NULL, NULL);
-}
-
-static pdn_status label_of(const int32_t *v)
-{
-    char text[16];
-    return pdn_model_label(model, v[0], v[1], text, sizeof text) > 0 ? PDN_OK : PDN_ERR_VALUE;
 }
 
 static pdn_status controller_coordinate(const int32_t *v)

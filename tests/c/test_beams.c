@@ -78,7 +78,9 @@ static pdn_solution *solve(const pdn_model *model, size_t grid_points)
 /* Force and moment of a joint at time zero. */
 static void reaction(const pdn_solution *solution, int32_t joint, double time, double *wrench)
 {
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_REACTION, joint), &time, 1, wrench),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_JOINT_REACTION, joint, PDN_ALL_COMPONENTS),
+                                     &time, 1, wrench),
                  PDN_OK);
 }
 
@@ -180,9 +182,10 @@ static void bend(const pdn_line *line, const pdn_stations *stations, double *dis
     CHECK_STATUS(pdn_model_add_load(model, beam.last, PDN_FRAME_SPACE, PDN_FORCE_3, &force, NULL),
                  PDN_OK);
     solution = solve(model, 1);
-    CHECK_STATUS(
-        pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, beam.last), &time, 1, position),
-        PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_NODE_POSITION, beam.last, PDN_ALL_COMPONENTS),
+                                     &time, 1, position),
+                 PDN_OK);
     on_circle(PI / 4, end);
     for (i = 0; i < 3; i++)
         displacement[i] = position[i] - end[i];
@@ -318,14 +321,15 @@ static void a_function_along_a_beam_adds_up(void)
     int32_t joint, force, found;
     pdn_model *model = cantilever(&beam, &joint);
     CHECK_STATUS(pdn_model_add_line_force(model, beam.first_element + 1, 2, PDN_FRAME_MATERIAL,
-                                          PDN_TANGENTS_GIVEN, blow, &wind, dispose, &force),
+                                          NULL, PDN_TANGENTS_GIVEN, blow, &wind, dispose, &force),
                  PDN_OK);
     CHECK(force == FORCE(0));
     PDN_INIT(pdn_force_info, &info);
     CHECK_STATUS(pdn_model_force(model, force + 1, &info), PDN_OK);
     CHECK(info.kind == PDN_FORCE_IS_LINE_FORCE && info.beam_element == BEAM_ELEMENT(2));
     CHECK(info.shell_element == -1 && info.shell_place == -1 && info.node_count == 0);
-    CHECK_STATUS(pdn_model_set_label(model, PDN_OBJECT_FORCE, force, "wind"), PDN_OK);
+    CHECK(info.axis_2[0] == 0 && info.axis_2[1] == 0 && info.axis_2[2] == 0);
+    CHECK_STATUS(pdn_model_set_label(model, force, "wind"), PDN_OK);
     CHECK_STATUS(pdn_model_save(model, "line_forces.pdm"), PDN_OK);
     pdn_model_free(model);
     CHECK(wind.calls == 0 && wind.destroyed == 1);

@@ -416,8 +416,8 @@ static void forces(void)
     static const int32_t bad_counts[] = {0, 3, INT32_MAX}, negative[] = {-1, INT32_MIN};
     int32_t tangents = PDN_TANGENTS_DIFFERENCED;
 #define WITH(model, function)                                                                      \
-    pdn_model_add_line_force(model, in.first_element, in.loaded, in.frame, tangents, function,     \
-                             NULL, NULL, &out.id)
+    pdn_model_add_line_force(model, in.first_element, in.loaded, in.frame, NULL, tangents,         \
+                             function, NULL, NULL, &out.id)
 #define CALL WITH(in.model, nothing)
     REFUSES_NULL(WITH(NULL, nothing), "model");
     REFUSED(WITH(in.model, NULL), PDN_ERR_NULL, "function: expected a ");
@@ -429,6 +429,9 @@ static void forces(void)
                  "elements: expected at least 1, got ");
     REFUSES_ENUMS(in.frame, CALL, "frame");
     REFUSES_ENUMS(tangents, CALL, "tangents");
+    in.frame = PDN_FRAME_UNTWISTED;
+    REFUSED(CALL, PDN_ERR_NULL, "axis_2: expected a ");
+    in.frame = PDN_FRAME_SPACE;
 #undef CALL
 #undef WITH
 }

@@ -25,8 +25,7 @@ static int32_t oscillator(const double *stiffness, size_t count, double damping,
     CHECK_STATUS(pdn_signal_set_harmonics(&push, 0, 0, sizes, none, 1), PDN_OK);
     CHECK_STATUS(pdn_model_add_actuator(model, joint, PDN_DISPLACEMENT, &push, &force), PDN_OK);
     CHECK_STATUS(pdn_model_add_parameter(model, "load", size, 0.1, &load), PDN_OK);
-    CHECK_STATUS(pdn_model_move_signal(model, load, PDN_SIGNAL_OF_ACTUATOR, force, 0,
-                                       PDN_PART_AMPLITUDE, 1 / size),
+    CHECK_STATUS(pdn_model_move_signal(model, load, force, 0, PDN_PART_AMPLITUDE, 1 / size),
                  PDN_OK);
     return load;
 }
@@ -182,9 +181,7 @@ static void loop(void)
     CHECK_STATUS(pdn_signal_set_harmonics(&push, 0, 0, NULL, NULL, 0), PDN_OK);
     CHECK_STATUS(pdn_model_add_actuator(model, joint, PDN_ROTATION, &push, &force), PDN_OK);
     CHECK_STATUS(pdn_model_add_parameter(model, "torque", 0, 1, &torque), PDN_OK);
-    CHECK_STATUS(
-        pdn_model_move_signal(model, torque, PDN_SIGNAL_OF_ACTUATOR, force, 0, PDN_PART_MEAN, 1),
-        PDN_OK);
+    CHECK_STATUS(pdn_model_move_signal(model, torque, force, 0, PDN_PART_MEAN, 1), PDN_OK);
     PDN_INIT(pdn_periodic_options, &periodic);
     PDN_INIT(pdn_branch_options, &options);
     periodic.grid_points = 3;

@@ -11,7 +11,7 @@ static double numbers[3] = {4.0, 0.5, 0.3};
 
 static struct {
     pdn_model *model;
-    int32_t force, number, place, id, component, first_element, elements, frame, tangents, count;
+    int32_t force, number, id, component, first_element, elements, frame, tangents, count;
     double values[2];
     pdn_signal signal;
     pdn_section section;
@@ -26,8 +26,8 @@ static struct {
 static int model_changed(void)
 {
     double stiffness;
-    CHECK_STATUS(
-        pdn_model_force_number(in.model, FORCE(3), PDN_NUMBER_STIFFNESS, 0, &stiffness), PDN_OK);
+    CHECK_STATUS(pdn_model_force_number(in.model, FORCE(3), PDN_NUMBER_STIFFNESS, 0, &stiffness),
+                 PDN_OK);
     return stiffness != 2;
 }
 
@@ -103,9 +103,10 @@ static void solve(const pdn_model *model, double *positions)
     options.grid_points = POINTS;
     CHECK_STATUS(pdn_solve_periodic(model, PERIOD, &options, &solution), PDN_OK);
     CHECK(pdn_solution_outcome(solution) == PDN_CONVERGED);
-    CHECK_STATUS(
-        pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, NODE(0)), times, TIMES, positions),
-        PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_NODE_POSITION, NODE(0), PDN_ALL_COMPONENTS),
+                                     times, TIMES, positions),
+                 PDN_OK);
     pdn_solution_free(solution);
 }
 
@@ -121,7 +122,7 @@ static void functions_come_back(void)
     int32_t id[3];
     int i, freed = 0;
     for (i = 0; i < 3; ++i)
-        CHECK_STATUS(pdn_model_set_label(model, PDN_OBJECT_FORCE, FORCE(i), labels[i]), PDN_OK);
+        CHECK_STATUS(pdn_model_set_label(model, FORCE(i), labels[i]), PDN_OK);
     solve(model, wanted);
     CHECK_STATUS(pdn_model_save(model, path), PDN_OK);
     CHECK_STATUS(pdn_model_load(path, &loaded), PDN_OK);
@@ -129,15 +130,15 @@ static void functions_come_back(void)
     CHECK_STATUS(pdn_solve_periodic(loaded, PERIOD, NULL, &solution), PDN_ERR_CALLBACK);
     for (i = 0; i < 3; ++i)
         CHECK_STATUS(pdn_model_find_label(loaded, PDN_OBJECT_FORCE, labels[i], &id[i]), PDN_OK);
-    CHECK_STATUS(pdn_model_bind_coordinate_law(loaded, id[0], PDN_TANGENTS_GIVEN, law, &numbers[0],
-                                               NULL),
-                 PDN_OK);
+    CHECK_STATUS(
+        pdn_model_bind_coordinate_law(loaded, id[0], PDN_TANGENTS_GIVEN, law, &numbers[0], NULL),
+        PDN_OK);
     CHECK_STATUS(pdn_model_bind_user_force(loaded, id[1], PDN_FRAME_SPACE, PDN_TANGENTS_DIFFERENCED,
                                            drag, &numbers[1], NULL),
                  PDN_OK);
     PDN_INIT(pdn_signal, &signal);
     CHECK_STATUS(pdn_signal_set_function(&signal, push, &numbers[2]), PDN_OK);
-    CHECK_STATUS(pdn_model_set_signal(loaded, PDN_SIGNAL_OF_ACTUATOR, id[2], 0, &signal), PDN_OK);
+    CHECK_STATUS(pdn_model_set_signal(loaded, id[2], 0, &signal), PDN_OK);
     solve(loaded, found);
     for (i = 0; i < 3 * TIMES; ++i)
         CHECK(found[i] == wanted[i]);
@@ -147,9 +148,9 @@ static void functions_come_back(void)
                                                destroyed),
                  PDN_OK);
     CHECK(freed == 0);
-    CHECK_STATUS(pdn_model_bind_coordinate_law(loaded, id[0], PDN_TANGENTS_GIVEN, law, &numbers[0],
-                                               NULL),
-                 PDN_OK);
+    CHECK_STATUS(
+        pdn_model_bind_coordinate_law(loaded, id[0], PDN_TANGENTS_GIVEN, law, &numbers[0], NULL),
+        PDN_OK);
     CHECK(freed == 1);
 
     /* Other numbers of the spring: as if built so. */
@@ -202,6 +203,70 @@ static void shells_and_inertias_change(void)
     pdn_model_free(model);
 }
 
+/* Frames of loads, and where a spring is free of effort, are what they were changed to. */
+static void frames_and_rests_change(void)
+{
+    static const double origin[3] = {0}, end[3] = {1, 0, 0}, side[3] = {0, 1, 0};
+    const double soft[6] = {1e3, 1e3, 1e3, 1, 1, 1}, mass[4] = {1, 1e-3, 1e-3, 1e-3};
+    const double rest = 0.25;
+    double axis_2[3], value;
+    int32_t joint, force, load, node, first, elements, frame, places;
+    pdn_section section;
+    pdn_surface surface;
+    pdn_shell_section plate;
+    pdn_signal signal;
+    pdn_model *model;
+    pdn_beam beam;
+    pdn_shell shell;
+    CHECK_STATUS(pdn_model_new(&model), PDN_OK);
+    PDN_INIT(pdn_section, &section);
+    CHECK_STATUS(pdn_section_set_diagonal(&section, soft, mass), PDN_OK);
+    CHECK_STATUS(pdn_model_add_straight_beam(model, origin, end, side, &section, 2, 1, &beam),
+                 PDN_OK);
+    PDN_INIT(pdn_surface, &surface);
+    CHECK_STATUS(pdn_surface_set_parallelogram(&surface, origin, end, side), PDN_OK);
+    PDN_INIT(pdn_shell_section, &plate);
+    CHECK_STATUS(pdn_shell_section_set_isotropic(&plate, 0.1, 1e6, 0.3, 1000, 1, 0.1), PDN_OK);
+    CHECK_STATUS(pdn_model_add_shell(model, &surface, 1, 1, 1, 1, 0, &plate, NULL, &shell), PDN_OK);
+    PDN_INIT(pdn_signal, &signal);
+    CHECK_STATUS(pdn_signal_set_constant(&signal, 2), PDN_OK);
+    CHECK_STATUS(pdn_model_add_load(model, beam.last, PDN_FRAME_SPACE, PDN_FORCE_2, &signal, &load),
+                 PDN_OK);
+    CHECK_STATUS(pdn_model_add_distributed_load(model, beam.first_element, 2, PDN_FRAME_SPACE,
+                                                PDN_FORCE_2, &signal, NULL, NULL, 0, NULL),
+                 PDN_OK);
+    CHECK_STATUS(pdn_model_add_shell_load(model, shell.first_element, 1, PDN_SHELL_SURFACE,
+                                          PDN_FRAME_SPACE, PDN_FORCE_3, &signal, NULL),
+                 PDN_OK);
+    CHECK_STATUS(pdn_model_set_load_frame(model, load, PDN_FRAME_MATERIAL, NULL), PDN_OK);
+    CHECK_STATUS(pdn_model_load_at(model, load, &node, &first, &elements, &value, NULL, &frame),
+                 PDN_OK);
+    CHECK(node == beam.last && frame == PDN_FRAME_MATERIAL);
+    CHECK_STATUS(pdn_model_set_load_frame(model, SHELL_LOAD(0), PDN_FRAME_MATERIAL, NULL), PDN_OK);
+    CHECK_STATUS(pdn_model_shell_load(model, SHELL_LOAD(0), &first, &elements, &places, &frame),
+                 PDN_OK);
+    CHECK(frame == PDN_FRAME_MATERIAL);
+    CHECK_STATUS(pdn_model_set_load_frame(model, BEAM_LOAD(0), PDN_FRAME_UNTWISTED, side), PDN_OK);
+    CHECK_STATUS(
+        pdn_model_beam_load(model, BEAM_LOAD(0), &first, &elements, &frame, axis_2, &places),
+        PDN_OK);
+    CHECK(frame == PDN_FRAME_UNTWISTED && axis_2[1] == 1);
+    CHECK_STATUS(pdn_model_set_load_frame(model, BEAM_LOAD(0), PDN_FRAME_UNTWISTED, end),
+                 PDN_ERR_VALUE);
+    CHECK_MESSAGE("axis_2: expected a direction across the beam");
+    CHECK_STATUS(pdn_model_set_load_frame(model, load, PDN_FRAME_UNTWISTED, side), PDN_ERR_VALUE);
+    CHECK_MESSAGE("frame: expected PDN_FRAME_SPACE or PDN_FRAME_MATERIAL");
+
+    CHECK_STATUS(pdn_model_add_revolute(model, PDN_GROUND, beam.first, origin, side, &joint),
+                 PDN_OK);
+    CHECK_STATUS(pdn_model_add_spring_damper(model, joint, PDN_ROTATION, 3, 0, 0.1, &force),
+                 PDN_OK);
+    CHECK_STATUS(pdn_model_set_force_numbers(model, force, PDN_NUMBER_REST, &rest, 1), PDN_OK);
+    CHECK_STATUS(pdn_model_force_number(model, force, PDN_NUMBER_REST, 0, &value), PDN_OK);
+    CHECK(value == rest);
+    pdn_model_free(model);
+}
+
 /* A cantilever's tip under its weight moves with the inverse of its section's stiffness. */
 static void sections_change(void)
 {
@@ -226,8 +291,9 @@ static void sections_change(void)
     CHECK_STATUS(pdn_model_set_gravity(model, weight), PDN_OK);
     for (i = 0; i < 2; ++i) {
         CHECK_STATUS(pdn_solve_static(model, NULL, &solution), PDN_OK);
-        CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, beam.last), &time, 1,
-                                         position),
+        CHECK_STATUS(pdn_solution_sample(
+                         solution, PDN_QUANTITY(PDN_NODE_POSITION, beam.last, PDN_ALL_COMPONENTS),
+                         &time, 1, position),
                      PDN_OK);
         heights[i] = position[2];
         pdn_solution_free(solution);
@@ -242,7 +308,7 @@ static void sections_change(void)
 
 static pdn_status set_signal(void)
 {
-    return pdn_model_set_signal(in.model, in.place, in.id, in.component, &in.signal);
+    return pdn_model_set_signal(in.model, in.id, in.component, &in.signal);
 }
 
 static pdn_status set_numbers(void)
@@ -273,14 +339,12 @@ static pdn_status bind_pressure(void)
 static void refusals_of_changes(void)
 {
     in.model = build(2);
-    in.place = PDN_SIGNAL_OF_ACTUATOR;
-    in.id = FORCE(2);
     PDN_INIT(pdn_signal, &in.signal);
-    REFUSES_OTHER_ROLES(in.place, set_signal(), "place: expected ");
     in.id = FORCE(FORCES);
     REFUSED(set_signal(), PDN_ERR_ID, "id: expected ");
     in.id = FORCE(3);
-    REFUSED(set_signal(), PDN_ERR_NOT_AVAILABLE, "place: the model has no such signal");
+    REFUSED(set_signal(), PDN_ERR_NOT_AVAILABLE,
+            "id: expected what has a signal there, got force 3");
 
     in.force = FORCE(3);
     in.number = PDN_NUMBER_STIFFNESS;
@@ -289,6 +353,23 @@ static void refusals_of_changes(void)
     in.count = 1;
     REFUSES_NOT_FINITE(in.values[0], set_numbers(), "values");
     REFUSES_OTHER_ROLES(in.number, set_numbers(), "number: expected ");
+
+    in.number = PDN_NUMBER_REST;
+    in.count = 2;
+    REFUSED(set_numbers(), PDN_ERR_SIZE, "count: expected 1");
+    in.count = 1;
+    REFUSES_NOT_FINITE(in.values[0], set_numbers(), "values");
+
+#define SET_FRAME(axis_2) pdn_model_set_load_frame(in.model, in.id, in.frame, axis_2)
+    in.frame = PDN_FRAME_MATERIAL;
+    in.id = FORCE(0);
+    REFUSED(SET_FRAME(NULL), PDN_ERR_ID,
+            "load: expected a beam load id, a shell load id or a load");
+    in.id = BEAM_LOAD(0);
+    REFUSED(SET_FRAME(NULL), PDN_ERR_ID, "load: expected a beam load id though");
+    in.id = SHELL_LOAD(0);
+    REFUSED(SET_FRAME(NULL), PDN_ERR_ID, "load: expected a shell load id though");
+#undef SET_FRAME
 
     PDN_INIT(pdn_section, &in.section);
     REFUSED(pdn_model_set_beam_section(in.model, BEAM_ELEMENT(0), 1, &in.section), PDN_ERR_ID,
@@ -331,6 +412,7 @@ int main(void)
 {
     functions_come_back();
     sections_change();
+    frames_and_rests_change();
     shells_and_inertias_change();
     refusals_of_changes();
     printf("%d refusals\n", refusals);

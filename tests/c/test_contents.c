@@ -7,16 +7,16 @@ static struct {
     double station, period, times[2];
 } in;
 static struct {
-    int32_t id, other;
+    int32_t id, other, first, elements;
     double number, numbers[36];
 } out;
 
 static int model_changed(void)
 {
     char label[PDN_LABEL_LENGTH + 1];
-    return pdn_model_label(in.model, PDN_OBJECT_NODE, NODE(0), label, sizeof label) != 5 ||
+    return pdn_model_label(in.model, NODE(0), label, sizeof label) != 5 ||
            strcmp(label, "crank") != 0 ||
-           pdn_model_label(in.model, PDN_OBJECT_NODE, NODE(1), label, sizeof label) != 0;
+           pdn_model_label(in.model, NODE(1), label, sizeof label) != 0;
 }
 
 #include "refusal.h"
@@ -38,7 +38,7 @@ static pdn_model *build(void)
     pdn_signal signal;
     pdn_beam beam;
     pdn_model *model;
-    int32_t bodies[2], joint, i;
+    int32_t bodies[2], joint, id, i;
     CHECK_STATUS(pdn_model_new(&model), PDN_OK);
     for (i = 0; i < 2; i++) {
         CHECK_STATUS(pdn_model_add_rigid_body(model, 2 + i, ORIGIN, moments, &bodies[i]), PDN_OK);
@@ -72,18 +72,25 @@ static pdn_model *build(void)
     CHECK_STATUS(pdn_section_set_diagonal(&section, sizes, masses), PDN_OK);
     CHECK_STATUS(pdn_model_add_straight_beam(model, ORIGIN, FAR_END, ACROSS, &section, 2, 3, &beam),
                  PDN_OK);
-    CHECK_STATUS(pdn_model_set_label(model, PDN_OBJECT_NODE, NODE(0), "crank"), PDN_OK);
-    CHECK_STATUS(pdn_model_set_label(model, PDN_OBJECT_JOINT, JOINT(0), "main bearing"), PDN_OK);
-    CHECK_STATUS(pdn_model_set_label(model, PDN_OBJECT_RELATION, RELATION(0), "G\xc3\xa4nge"),
+    CHECK_STATUS(pdn_model_add_load_at_point(model, bodies[1], FAR_END, PDN_FRAME_SPACE,
+                                             PDN_FORCE_2, &signal, &id),
                  PDN_OK);
+    CHECK(id == LOAD(1));
+    CHECK_STATUS(pdn_model_add_load_on_beam(model, beam.first_element, 2, 0.7, NULL,
+                                            PDN_FRAME_MATERIAL, PDN_MOMENT_1, &signal, &id),
+                 PDN_OK);
+    CHECK(id == LOAD(2));
+    CHECK_STATUS(pdn_model_set_label(model, NODE(0), "crank"), PDN_OK);
+    CHECK_STATUS(pdn_model_set_label(model, JOINT(0), "main bearing"), PDN_OK);
+    CHECK_STATUS(pdn_model_set_label(model, RELATION(0), "G\xc3\xa4nge"), PDN_OK);
     return model;
 }
 
 static void joints_and_forces_are_those_given(void)
 {
     const double times[2] = {0, 0.5};
-    double value, values[2];
-    int32_t count, id, other, i;
+    double value, values[2], fraction, offset[3];
+    int32_t count, id, other, first, elements, i;
     pdn_joint_info joint;
     pdn_force_info force;
     PDN_INIT(pdn_joint_info, &joint);
@@ -110,6 +117,8 @@ static void joints_and_forces_are_those_given(void)
     CHECK_STATUS(pdn_model_force_number(in.model, FORCE(2), PDN_NUMBER_RELAXATION_TIME, 0, &value),
                  PDN_OK);
     CHECK(value == 0.1);
+    CHECK_STATUS(pdn_model_force_number(in.model, FORCE(2), PDN_NUMBER_REST, 0, &value), PDN_OK);
+    CHECK(value == 0.1);
     CHECK_STATUS(pdn_model_force(in.model, FORCE(3), &force), PDN_OK);
     CHECK(force.kind == PDN_FORCE_IS_BUSHING && force.joint == -1 && force.coordinate == -1 &&
           force.first == NODE(0) && force.second == NODE(1) &&
@@ -127,13 +136,23 @@ static void joints_and_forces_are_those_given(void)
     CHECK_STATUS(pdn_model_prescribed(in.model, PRESCRIBED(0), &id, &other), PDN_OK);
     CHECK(id == JOINT(0) && other == PDN_ROTATION);
     CHECK_STATUS(pdn_model_load_count(in.model, &count), PDN_OK);
-    CHECK_STATUS(pdn_model_load_at(in.model, LOAD(0), &id, &other), PDN_OK);
-    CHECK(count == 1 && id == NODE(1) && other == PDN_FRAME_MATERIAL);
+    CHECK(count == 3);
     for (i = 0; i < 2; i++) {
-        const int32_t place = i == 0 ? PDN_SIGNAL_OF_PRESCRIBED : PDN_SIGNAL_OF_LOAD;
+        CHECK_STATUS(
+            pdn_model_load_at(in.model, LOAD(i), &id, &first, &elements, &fraction, offset, &other),
+            PDN_OK);
+        CHECK(id == NODE(1) && other == (i == 0 ? PDN_FRAME_MATERIAL : PDN_FRAME_SPACE));
+        CHECK(first == -1 && elements == 0 && fraction == 0);
+        CHECK(offset[0] == i * FAR_END[0] && offset[1] == 0 && offset[2] == 0);
+    }
+    CHECK_STATUS(
+        pdn_model_load_at(in.model, LOAD(2), &id, &first, &elements, &fraction, NULL, &other),
+        PDN_OK);
+    CHECK(id == -1 && first == BEAM_ELEMENT(0) && elements == 2 && fraction == 0.7);
+    for (i = 0; i < 2; i++) {
         const int32_t component = i == 0 ? 0 : PDN_FORCE_2;
         id = i == 0 ? PRESCRIBED(0) : LOAD(0);
-        CHECK_STATUS(pdn_model_sample_signal(in.model, place, id, component, 2.0, times, 2, values),
+        CHECK_STATUS(pdn_model_sample_signal(in.model, id, component, 2.0, times, 2, values),
                      PDN_OK);
         CHECK_NEAR(values[0], 0.5, 1e-15);
         CHECK_NEAR(values[1], 0.3, 1e-15);
@@ -174,12 +193,12 @@ static void labels_name_things(void)
     int32_t id;
     CHECK_STATUS(pdn_model_find_label(in.model, PDN_OBJECT_NODE, "crank", &id), PDN_OK);
     CHECK(id == NODE(0));
-    CHECK(pdn_model_label(in.model, PDN_OBJECT_RELATION, RELATION(0), text, sizeof text) == 6);
+    CHECK(pdn_model_label(in.model, RELATION(0), text, sizeof text) == 6);
     CHECK(strcmp(text, "G\xc3\xa4nge") == 0);
     /* Cut where a character ends. */
-    CHECK(pdn_model_label(in.model, PDN_OBJECT_RELATION, RELATION(0), text, 3) == 6);
+    CHECK(pdn_model_label(in.model, RELATION(0), text, 3) == 6);
     CHECK(strcmp(text, "G") == 0);
-    CHECK(pdn_model_label(in.model, PDN_OBJECT_RELATION, RELATION(0), NULL, 0) == 6);
+    CHECK(pdn_model_label(in.model, RELATION(0), NULL, 0) == 6);
     CHECK(pdn_model_describe(in.model, text, sizeof text) < sizeof text);
     CHECK(strstr(text, "joints 0 \"main bearing\"") != NULL);
 }
@@ -190,8 +209,7 @@ static void wrong_calls_are_refused(void)
     char longer[PDN_LABEL_LENGTH + 2];
     memset(longer, 'x', sizeof longer);
     longer[PDN_LABEL_LENGTH + 1] = 0;
-#define SET(model, label) pdn_model_set_label(model, in.kind, in.id, label)
-    in.kind = PDN_OBJECT_NODE;
+#define SET(model, label) pdn_model_set_label(model, in.id, label)
     in.id = NODE(1);
     REFUSED(SET(NULL, "a"), PDN_ERR_NULL, "model");
     REFUSED(SET(in.model, "crank"), PDN_ERR_VALUE,
@@ -200,9 +218,13 @@ static void wrong_calls_are_refused(void)
     REFUSED(SET(in.model, "two\nlines"), PDN_ERR_VALUE, "label: expected text without");
     REFUSED(SET(in.model, "a \"b\""), PDN_ERR_VALUE, "label: expected text without");
     REFUSED(SET(in.model, "\xff"), PDN_ERR_VALUE, "label: expected text in UTF-8");
-    REFUSES_EACH(in.kind, int32_t, none, SET(in.model, "a"), PDN_ERR_VALUE, "kind: ");
-    REFUSES_EACH(in.id, int32_t, none, SET(in.model, "a"), PDN_ERR_ID, "id: expected a node id");
+    REFUSES_EACH(in.id, int32_t, none, SET(in.model, "a"), PDN_ERR_ID, "id: expected an id of");
+    in.id = NODE(99);
+    REFUSED(SET(in.model, "a"), PDN_ERR_ID, "id: expected a node id from 100000000 to ");
+    in.id = PARAMETER(0);
+    REFUSED(SET(in.model, "a"), PDN_ERR_ID, "id: expected an id of what PDN_OBJECT_NODE to ");
 #undef SET
+    in.kind = PDN_OBJECT_NODE;
 #define FIND(model, label, id) pdn_model_find_label(model, in.kind, label, id)
     REFUSED(FIND(NULL, "a", &out.id), PDN_ERR_NULL, "model");
     REFUSED(FIND(in.model, NULL, &out.id), PDN_ERR_NULL, "label");
@@ -248,40 +270,43 @@ static void wrong_calls_are_refused(void)
             "prescribed: ");
     REFUSED(pdn_model_prescribed(in.model, PRESCRIBED(0), &out.id, NULL), PDN_ERR_NULL,
             "coordinate");
-    REFUSES_EACH(in.id, int32_t, none, pdn_model_load_at(in.model, in.id, &out.id, &out.other),
-                 PDN_ERR_ID, "load: expected a load id from 800000000 to 800000000, got ");
-    REFUSED(pdn_model_load_at(in.model, BEAM_LOAD(0), &out.id, &out.other), PDN_ERR_ID,
-            "load: expected a load id from 800000000 to 800000000, got 900000000, which is the id "
+#define LOAD_AT(load, offset)                                                                      \
+    pdn_model_load_at(in.model, load, &out.id, &out.first, &out.elements, &out.number, offset,     \
+                      &out.other)
+    REFUSES_EACH(in.id, int32_t, none, LOAD_AT(in.id, NULL), PDN_ERR_ID,
+                 "load: expected a load id from 800000000 to 800000002, got ");
+    REFUSED(LOAD_AT(BEAM_LOAD(0), out.numbers), PDN_ERR_ID,
+            "load: expected a load id from 800000000 to 800000002, got 900000000, which is the id "
             "of beam load 0");
+    REFUSED(pdn_model_load_at(in.model, LOAD(0), &out.id, &out.first, NULL, &out.number, NULL,
+                              &out.other),
+            PDN_ERR_NULL, "elements");
+#undef LOAD_AT
     REFUSED(pdn_model_relation_term_count(in.model, RELATION(1), &out.id), PDN_ERR_ID,
             "relation: ");
     REFUSED(pdn_model_relation_term(in.model, RELATION(0), 2, &out.id, &out.other, &out.number),
             PDN_ERR_ID, "index: ");
-#define SAMPLE(place, component)                                                                   \
-    pdn_model_sample_signal(in.model, place, in.id, component, in.period, in.times, 2, out.numbers)
+#define SAMPLE(id, component)                                                                      \
+    pdn_model_sample_signal(in.model, id, component, in.period, in.times, 2, out.numbers)
     in.period = 2;
-    in.id = 0;
-    REFUSED(SAMPLE(99, 0), PDN_ERR_VALUE, "place: ");
-    REFUSED(SAMPLE(PDN_SIGNAL_OF_GRAVITY, 0), PDN_ERR_NOT_AVAILABLE, "place: ");
-    REFUSED(SAMPLE(PDN_SIGNAL_OF_BEAM_LOAD, PDN_FORCE_1), PDN_ERR_ID,
-            "id: expected a beam load id though there is none yet, got 0");
-    REFUSED(SAMPLE(PDN_SIGNAL_OF_SHELL_LOAD, PDN_FORCE_1), PDN_ERR_ID,
-            "id: expected a shell load id though there is none yet, got 0");
-    REFUSES_EACH(in.id, int32_t, none, SAMPLE(PDN_SIGNAL_OF_LOAD, PDN_FORCE_2), PDN_ERR_ID,
-                 "id: expected a load id");
-    in.id = LOAD(0);
-    REFUSED(SAMPLE(PDN_SIGNAL_OF_GRAVITY, 0), PDN_ERR_VALUE,
-            "id: expected 0 for what is of the whole model, got 800000000");
-    REFUSED(SAMPLE(PDN_SIGNAL_OF_LOAD, PDN_FORCE_1), PDN_ERR_NOT_AVAILABLE, "place: ");
-    REFUSED(SAMPLE(PDN_SIGNAL_OF_LOAD, -1), PDN_ERR_VALUE, "component: ");
-    REFUSED(SAMPLE(PDN_SIGNAL_OF_PRESCRIBED, 0), PDN_ERR_ID,
-            "id: expected a prescribed coordinate id from 1200000000 to 1200000000, got 800000000, "
-            "which is the id of load 0");
-    in.id = PRESCRIBED(0);
-    REFUSES_NOT_FINITE(in.period, SAMPLE(PDN_SIGNAL_OF_PRESCRIBED, 0), "period");
-    REFUSES_NOT_FINITE_ENTRIES(in.times, 2, SAMPLE(PDN_SIGNAL_OF_PRESCRIBED, 0), "times");
+    REFUSED(SAMPLE(PDN_GRAVITY, 0), PDN_ERR_NOT_AVAILABLE, "id: ");
+    REFUSED(SAMPLE(PDN_GRAVITY, -1), PDN_ERR_VALUE, "component: ");
+    REFUSED(SAMPLE(BEAM_LOAD(0), PDN_FORCE_1), PDN_ERR_ID,
+            "id: expected a beam load id though there is none yet, got 900000000");
+    REFUSED(SAMPLE(SHELL_LOAD(0), PDN_FORCE_1), PDN_ERR_ID,
+            "id: expected a shell load id though there is none yet, got 1000000000");
+    REFUSES_EACH(in.id, int32_t, none, SAMPLE(in.id, PDN_FORCE_2), PDN_ERR_ID,
+                 "id: expected an id of an actuator");
+    REFUSED(SAMPLE(NODE(0), 0), PDN_ERR_ID, "id: expected an id of an actuator");
+    REFUSED(SAMPLE(FORCE(0), 0), PDN_ERR_NOT_AVAILABLE,
+            "id: expected what has a signal there, got force 0");
+    REFUSED(SAMPLE(LOAD(0), PDN_FORCE_1), PDN_ERR_NOT_AVAILABLE, "id: ");
+    REFUSED(SAMPLE(LOAD(0), -1), PDN_ERR_VALUE, "component: ");
+    REFUSED(SAMPLE(PRESCRIBED(0), PDN_FORCE_1), PDN_ERR_VALUE, "component: expected 0");
+    REFUSES_NOT_FINITE(in.period, SAMPLE(PRESCRIBED(0), 0), "period");
+    REFUSES_NOT_FINITE_ENTRIES(in.times, 2, SAMPLE(PRESCRIBED(0), 0), "times");
     in.period = 0;
-    REFUSED(SAMPLE(PDN_SIGNAL_OF_PRESCRIBED, 0), PDN_ERR_VALUE, "period: ");
+    REFUSED(SAMPLE(PRESCRIBED(0), 0), PDN_ERR_VALUE, "period: ");
 #undef SAMPLE
 }
 
@@ -363,16 +388,15 @@ static pdn_model *build_loaded(void)
                                          "cke",
                                          -3, 7, &id),
                  PDN_OK);
-    CHECK_STATUS(pdn_model_set_label(model, PDN_OBJECT_SHELL_LOAD, SHELL_LOAD(1), "pull"), PDN_OK);
+    CHECK_STATUS(pdn_model_set_label(model, SHELL_LOAD(1), "pull"), PDN_OK);
     return model;
 }
 
-static double first_value(int32_t place, int32_t id, int32_t component)
+static double first_value(int32_t id, int32_t component)
 {
     const double time = 0.3;
     double value;
-    CHECK_STATUS(pdn_model_sample_signal(in.model, place, id, component, 2, &time, 1, &value),
-                 PDN_OK);
+    CHECK_STATUS(pdn_model_sample_signal(in.model, id, component, 2, &time, 1, &value), PDN_OK);
     return value;
 }
 
@@ -393,7 +417,7 @@ static void loads_are_those_given(void)
                      PDN_OK);
         CHECK(fraction == fractions[i] && factor == factors[i]);
     }
-    CHECK(first_value(PDN_SIGNAL_OF_BEAM_LOAD, BEAM_LOAD(0), PDN_MOMENT_1) == 0.5);
+    CHECK(first_value(BEAM_LOAD(0), PDN_MOMENT_1) == 0.5);
     CHECK_STATUS(
         pdn_model_beam_load(in.model, BEAM_LOAD(1), &first, &elements, &frame, NULL, &places),
         PDN_OK);
@@ -404,8 +428,8 @@ static void loads_are_those_given(void)
         PDN_OK);
     CHECK(first == BEAM_ELEMENT(0) && elements == 3 && frame == PDN_FRAME_UNTWISTED);
     CHECK(axis_2[0] == 0 && axis_2[1] == 0 && axis_2[2] == 2);
-    CHECK(first_value(PDN_SIGNAL_OF_BEAM_LOAD, BEAM_LOAD(3), PDN_FORCE_3) == 3);
-    CHECK(first_value(PDN_SIGNAL_OF_BEAM_LOAD, BEAM_LOAD(4), PDN_FORCE_2) == 4);
+    CHECK(first_value(BEAM_LOAD(3), PDN_FORCE_3) == 3);
+    CHECK(first_value(BEAM_LOAD(4), PDN_FORCE_2) == 4);
     CHECK_STATUS(pdn_model_beam_load_factor(in.model, BEAM_LOAD(4), places - 1, &fraction, &factor),
                  PDN_OK);
     CHECK(fraction == 1 && factor == 1);
@@ -420,7 +444,7 @@ static void loads_are_those_given(void)
                  PDN_OK);
     CHECK(first == SHELL_ELEMENT(1) && elements == 1 && places == PDN_SHELL_EDGE_END_XI &&
           frame == PDN_FRAME_SPACE);
-    CHECK(first_value(PDN_SIGNAL_OF_SHELL_LOAD, SHELL_LOAD(1), PDN_FORCE_2) == 0.5);
+    CHECK(first_value(SHELL_LOAD(1), PDN_FORCE_2) == 0.5);
     CHECK_STATUS(pdn_model_find_label(in.model, PDN_OBJECT_SHELL_LOAD, "pull", &first), PDN_OK);
     CHECK(first == SHELL_LOAD(1));
 }
@@ -493,7 +517,7 @@ static void wrong_calls_of_loads_are_refused(void)
 static void loaded_models_tell_their_loads(void)
 {
     pdn_model *model = build_loaded();
-    CHECK_STATUS(pdn_model_set_label(model, PDN_OBJECT_NODE, NODE(0), "crank"), PDN_OK);
+    CHECK_STATUS(pdn_model_set_label(model, NODE(0), "crank"), PDN_OK);
     CHECK_STATUS(pdn_model_save(model, "test_contents.pdm"), PDN_OK);
     in.model = model;
     loads_are_those_given();

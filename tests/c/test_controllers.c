@@ -115,9 +115,9 @@ static void an_integral_makes_it_third_order(void)
         CHECK_STATUS(pdn_model_add_actuator(model, joint, PDN_DISPLACEMENT, &signal, NULL), PDN_OK);
         solution = solve(model);
         CHECK(calls > POINTS);
-        CHECK_STATUS(pdn_solution_sample(solution,
-                                         ASK(PDN_JOINT_COORDINATE, joint, PDN_DISPLACEMENT), times,
-                                         TIMES, found),
+        CHECK_STATUS(pdn_solution_sample(
+                         solution, PDN_QUANTITY(PDN_JOINT_COORDINATE, joint, PDN_DISPLACEMENT),
+                         times, TIMES, found),
                      PDN_OK);
         PDN_INIT(pdn_quantity, &quantity);
         quantity.kind = PDN_FORCE_CONTROL_STATE;
@@ -177,7 +177,7 @@ static void functions_are_bound_by_label(void)
     CHECK_STATUS(pdn_model_new(&model), PDN_OK);
     joint = oscillator(model, STIFFNESS);
     id = add(model, joint, PDN_TANGENTS_GIVEN, &calls);
-    CHECK_STATUS(pdn_model_set_label(model, PDN_OBJECT_FORCE, id, "governor"), PDN_OK);
+    CHECK_STATUS(pdn_model_set_label(model, id, "governor"), PDN_OK);
     CHECK_STATUS(pdn_model_save(model, path), PDN_OK);
     CHECK_STATUS(pdn_model_load(path, &loaded), PDN_OK);
     remove(path);

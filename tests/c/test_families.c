@@ -148,7 +148,9 @@ static void free_motion(void)
         CHECK_STATUS(pdn_branch_solution(branch, i, &solution), PDN_OK);
         CHECK_STATUS(pdn_solution_parameter(solution, unfolding, &value), PDN_OK);
         CHECK_STATUS(pdn_solution_parameter(solution, PDN_FREQUENCY, &frequency), PDN_OK);
-        CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_NODE_POSITION, body), start, 1, at),
+        CHECK_STATUS(pdn_solution_sample(solution,
+                                         PDN_QUANTITY(PDN_NODE_POSITION, body, PDN_ALL_COMPONENTS),
+                                         start, 1, at),
                      PDN_OK);
         double a = 1, b = cos(atan2(hypot(at[0], at[1]), -at[2]) / 2);
         for (int k = 0; k < 8; ++k) {
@@ -226,9 +228,10 @@ static void frequency_response(void)
     CHECK_STATUS(pdn_branch_solution(branch, count - 1, &solution), PDN_OK);
     CHECK_STATUS(pdn_solution_parameter(solution, PDN_FREQUENCY, &frequency), PDN_OK);
     CHECK_NEAR(frequency, 1.6, 1e-14);
-    CHECK_STATUS(
-        pdn_solution_sample(solution, ASK(PDN_JOINT_COORDINATE, joint, PDN_DISPLACEMENT), t, 1, q),
-        PDN_OK);
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_JOINT_COORDINATE, joint, PDN_DISPLACEMENT), t,
+                                     1, q),
+                 PDN_OK);
     CHECK(fabs(q[0]) > 0.05 && fabs(q[0]) < 0.2);
     pdn_solution_free(solution);
     CHECK_STATUS(pdn_branch_solution(branch, count, &solution), PDN_ERR_ID);
@@ -287,9 +290,7 @@ static void along_a_load(void)
     options.to = 1.5;
     CHECK_STATUS(pdn_follow_branch(model, 2 * PI / 0.8, load, &options, &branch), PDN_ERR_VALUE);
     CHECK_MESSAGE("the parameter \"load\" moves nothing");
-    CHECK_STATUS(
-        pdn_model_move_signal(model, load, PDN_SIGNAL_OF_ACTUATOR, force, 0, PDN_PART_AMPLITUDE, 1),
-        PDN_OK);
+    CHECK_STATUS(pdn_model_move_signal(model, load, force, 0, PDN_PART_AMPLITUDE, 1), PDN_OK);
     CHECK_STATUS(pdn_follow_branch(model, 2 * PI / 0.8, load, &options, &branch), PDN_OK);
     CHECK(pdn_branch_end(branch) == PDN_BRANCH_RANGE);
     CHECK_STATUS(pdn_branch_get(branch, 0, &point), PDN_OK);
@@ -306,12 +307,10 @@ static void along_a_load(void)
     CHECK_STATUS(pdn_model_move_number(model, load, PDN_NUMBER_STIFFNESS, FORCE(0), 4, 1),
                  PDN_ERR_ID);
     CHECK_STATUS(pdn_model_move_number(model, load, 99, 0, 0, 1), PDN_ERR_VALUE);
-    CHECK_STATUS(
-        pdn_model_move_signal(model, load, PDN_SIGNAL_OF_ACTUATOR, force, 0, PDN_PART_AMPLITUDE, 1),
-        PDN_ERR_VALUE);
+    CHECK_STATUS(pdn_model_move_signal(model, load, force, 0, PDN_PART_AMPLITUDE, 1),
+                 PDN_ERR_VALUE);
     CHECK_MESSAGE("moves the same already");
-    CHECK_STATUS(pdn_model_move_signal(model, load, PDN_SIGNAL_OF_GRAVITY, 0, 0, PDN_PART_MEAN, 1),
-                 PDN_ERR_ID);
+    CHECK_STATUS(pdn_model_move_signal(model, load, PDN_GRAVITY, 0, PDN_PART_MEAN, 1), PDN_ERR_ID);
     CHECK_STATUS(pdn_model_set_parameter(model, load, 2), PDN_OK);
     CHECK_STATUS(pdn_model_declare_of_phase(model, FORCE(0)), PDN_ERR_NOT_AVAILABLE);
     CHECK_STATUS(pdn_solve_frequency_response(model, 0, 1, NULL, &branch), PDN_ERR_VALUE);

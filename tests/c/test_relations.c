@@ -84,9 +84,9 @@ static void geared_wheels_are_one_inertia(void)
     for (k = 0; k < 2; k++) {
         const double size = k == 0 ? amplitude : ratio * amplitude;
         const double second = -OMEGA * OMEGA * inertias[1] * ratio * amplitude;
-        CHECK_STATUS(pdn_solution_sample(solution,
-                                         ASK(PDN_JOINT_COORDINATE, joints[k], PDN_ROTATION), times,
-                                         TIMES, angle),
+        CHECK_STATUS(pdn_solution_sample(
+                         solution, PDN_QUANTITY(PDN_JOINT_COORDINATE, joints[k], PDN_ROTATION),
+                         times, TIMES, angle),
                      PDN_OK);
         quantity.kind = PDN_RELATION_EFFORT;
         quantity.object = relation;
@@ -133,11 +133,11 @@ static void a_signal_shifts_what_is_geared(void)
         pdn_model_add_relation(model, joints, coordinates, coefficients, 2, &signal, &relation),
         PDN_OK);
     CHECK_STATUS(pdn_model_add_parameter(model, "shift", 2.0, 1.0, &parameter), PDN_OK);
-    CHECK_STATUS(pdn_model_move_signal(model, parameter, PDN_SIGNAL_OF_RELATION, relation, 0,
-                                       PDN_PART_AMPLITUDE, 1.0),
+    CHECK_STATUS(pdn_model_move_signal(model, parameter, relation, 0, PDN_PART_AMPLITUDE, 1.0),
                  PDN_OK);
     solution = solve(model, PERIOD);
-    CHECK_STATUS(pdn_solution_sample(solution, ASK(PDN_JOINT_COORDINATE, joints[1], PDN_ROTATION),
+    CHECK_STATUS(pdn_solution_sample(solution,
+                                     PDN_QUANTITY(PDN_JOINT_COORDINATE, joints[1], PDN_ROTATION),
                                      times, TIMES, angle),
                  PDN_OK);
     for (i = 0; i < TIMES; i++)
@@ -198,9 +198,9 @@ static void a_bearing_carries_a_rotor(void)
     CHECK_STATUS(pdn_model_prescribe(model, shaft, PDN_ROTATION_3, &signal, NULL), PDN_OK);
     solution = solve(model, 2 * PI / spin);
     for (i = 0; i < 2; i++)
-        CHECK_STATUS(pdn_solution_sample(solution,
-                                         ASK(PDN_JOINT_COORDINATE, shaft, PDN_DISPLACEMENT + i),
-                                         times, TIMES, position[i]),
+        CHECK_STATUS(pdn_solution_sample(
+                         solution, PDN_QUANTITY(PDN_JOINT_COORDINATE, shaft, PDN_DISPLACEMENT + i),
+                         times, TIMES, position[i]),
                      PDN_OK);
     PDN_INIT(pdn_quantity, &quantity);
     quantity.kind = PDN_FORCE_BUSHING_EFFORTS;

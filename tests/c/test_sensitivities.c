@@ -30,9 +30,7 @@ static void begin(void)
     CHECK_STATUS(pdn_model_move_number(model, stiffness, PDN_NUMBER_STIFFNESS, spring, 1, 1),
                  PDN_OK);
     CHECK_STATUS(pdn_model_add_parameter(model, "load", 1, 1, &load), PDN_OK);
-    CHECK_STATUS(pdn_model_move_signal(model, load, PDN_SIGNAL_OF_ACTUATOR, actuator, 0,
-                                       PDN_PART_AMPLITUDE, 1),
-                 PDN_OK);
+    CHECK_STATUS(pdn_model_move_signal(model, load, actuator, 0, PDN_PART_AMPLITUDE, 1), PDN_OK);
     CHECK_STATUS(pdn_model_add_parameter(model, "nothing", 1, 1, &nothing), PDN_OK);
 }
 

@@ -48,9 +48,7 @@ static pdn_model *pendulum(int32_t *bob, int32_t *level, int32_t parameters[3])
                  PDN_OK);
     CHECK_STATUS(pdn_model_move_number(model, parameters[1], PDN_NUMBER_MASS_DAMPING, 0, 0, 1),
                  PDN_OK);
-    CHECK_STATUS(pdn_model_move_signal(model, parameters[2], PDN_SIGNAL_OF_ACTUATOR, moment, 0,
-                                       PDN_PART_MEAN, 1),
-                 PDN_OK);
+    CHECK_STATUS(pdn_model_move_signal(model, parameters[2], moment, 0, PDN_PART_MEAN, 1), PDN_OK);
     return model;
 }
 

@@ -148,7 +148,7 @@ static void laws_and_forces()
         model.add_rigid_joint(pdn::ground, beam.first, {0, 0, 0});
         if (by_function) {
             const auto force = model.add_line_force(
-                beam.first_element + 1, 1, Frame::material, pdn::Tangents::given,
+                beam.first_element + 1, 1, Frame::material, {}, pdn::Tangents::given,
                 [&beam](const pdn::SurfaceState &state, pdn::SurfaceValues &values) {
                     CHECK(state.element == beam.first_element + 1 && state.point_count >= 3);
                     for (std::size_t k = 0; k < state.point_count; ++k) {

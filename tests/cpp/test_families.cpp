@@ -14,7 +14,7 @@ struct Driven : Oscillator {
     {
         const auto drive = pdn::Signal().set_harmonics(0, 0, {0.6}, {0});
         const auto force = model.add_actuator(hinge, pdn::Coordinate::rotation, drive);
-        model.move_signal(moment, pdn::SignalOf::actuator, force, 0, pdn::SignalPart::mean, 1);
+        model.move_signal(moment, force, 0, pdn::SignalPart::mean, 1);
     }
     pdn::Quantity angle() const
     {

@@ -243,7 +243,18 @@ static void beams()
     const auto [fraction, factor] = curved.beam_load_factor(growing, 1);
     CHECK(fraction == 1 && factor == 2);
     CHECK(curved.beam_load(at_start).axis_2 == axis_3);
-    CHECK(curved.sample_signal(pdn::SignalOf::beam_load, at_start, PDN_FORCE_3, 1, {0.3})[0] == 2);
+    CHECK(curved.sample_signal(at_start, PDN_FORCE_3, 1, {0.3})[0] == 2);
+    const auto held =
+        curved.add_load_on_beam(arc.first_element, arc.elements, 0.4, pdn::Frame::material,
+                                pdn::Component::force_2, 3.0, pdn::Vector3{0, 0, 0.5});
+    const auto point = curved.load_at(held);
+    CHECK(point.node == -1 && point.first_element == arc.first_element);
+    CHECK(point.elements == arc.elements && point.fraction == 0.4 && point.offset[2] == 0.5);
+    curved.set_load_frame(held, pdn::Frame::space);
+    CHECK(curved.load_at(held).frame == pdn::Frame::space);
+    const auto off = curved.add_load_at_point(one, {0.1, 0, 0}, pdn::Frame::space,
+                                              pdn::Component::moment_1, 3.0);
+    CHECK(off == held + 1 && curved.load_at(off).node == one);
     thin.set_component_damping({1e-4, 1e-4, 1e-4, 2e-4, 2e-4, 2e-4});
     CHECK(thin.damping[21] == 2e-4 * thin.stiffness[21]);
 }
@@ -349,9 +360,9 @@ static void everything()
     CHECK(m.add_relation({joint(6), joint(8)}, {Coordinate::rotation_3, Coordinate::rotation},
                          {1, 3}, 0.5) == pdn::first_relation + 1);
     CHECK(m.relation_count() == 2);
-    m.set_label(pdn::ObjectKind::joint, joint(8), "shaft");
-    CHECK(m.label(pdn::ObjectKind::joint, joint(8)) == "shaft");
-    CHECK(m.label(pdn::ObjectKind::joint, joint(7)).empty());
+    m.set_label(joint(8), "shaft");
+    CHECK(m.label(joint(8)) == "shaft");
+    CHECK(m.label(joint(7)).empty());
     CHECK(m.find_label(pdn::ObjectKind::joint, "shaft") == joint(8));
     CHECK(m.joint(joint(0)).kind == PDN_JOINT_PRISMATIC && m.joint(joint(0)).first == pdn::ground);
     CHECK(m.force(pdn::first_force + 1).stiffness_count == 3);
@@ -365,7 +376,7 @@ static void everything()
     const auto speed = m.add_parameter("speed", 3, 2);
     CHECK(m.parameter_count() == 1 && m.parameter_name(speed) == "speed");
     CHECK(m.find_parameter("speed") == speed && m.parameter(speed).value == 3);
-    CHECK(m.sample_signal(pdn::SignalOf::gravity, 0, 2, 1, {0, 0.3})[1] == -9.81);
+    CHECK(m.sample_signal(pdn::gravity, 2, 1, {0, 0.3})[1] == -9.81);
     CHECK(m.force_count() == forces);
     NEAR(m.mass().mass, 7, 1e-15);
     const auto summary = m.summary();

@@ -18,7 +18,7 @@ contains
         call model%add_actuator(hinge, PDN_ROTATION, &
             pdn_harmonics_signal(0.0_dp, 0.0_dp, [0.6_dp], [0.0_dp]), force)
         call model%add_parameter('moment', 0.0_dp, 1.0_dp, parameter)
-        call model%move_signal(parameter, PDN_SIGNAL_OF_ACTUATOR, force, 0, PDN_PART_MEAN, 1.0_dp)
+        call model%move_signal(parameter, force, 0, PDN_PART_MEAN, 1.0_dp)
     end subroutine driven
 
     subroutine moment_for_a_mean_angle()

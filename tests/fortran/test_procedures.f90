@@ -52,8 +52,8 @@ contains
         type(pdn_model) :: model, copy
         type(pdn_signal) :: never
         type(pdn_solution) :: solution
-        integer :: body, hinge, spring, force, node, loads, frame
-        real(dp) :: factors(2), angle(1)
+        integer :: body, hinge, spring, force, node, loads, frame, first, elements, load
+        real(dp) :: factors(2), angle(1), fraction, offset(3)
 
         call oscillator(model, body, hinge, spring)
         call model%add_load(body, PDN_FRAME_SPACE, PDN_MOMENT_3, &
@@ -72,8 +72,18 @@ contains
         call copy%force_node(force, 0, node)
         call copy%load_count(loads)
         call check(node == body .and. loads == 1, 'node of a force')
-        call copy%load_at(PDN_FIRST_LOAD, node, frame)
+        call copy%load_at(PDN_FIRST_LOAD, node, first, elements, fraction, frame)
         call check(node == body .and. frame == PDN_FRAME_SPACE, 'load')
+        call check(first == -1 .and. elements == 0, 'no beam')
+        call copy%add_load_at_point(body, [0.0_dp, 0.5_dp, 0.0_dp], PDN_FRAME_SPACE, PDN_FORCE_1, &
+            pdn_constant_signal(2.0_dp), load=load)
+        call copy%set_load_frame(load, PDN_FRAME_MATERIAL)
+        call copy%load_at(load, node, first, elements, fraction, frame, offset)
+        call check(node == body .and. frame == PDN_FRAME_MATERIAL, 'load at a point')
+        call near(offset(2), 0.5_dp, 1e-15_dp, 'offset')
+        call copy%add_load_on_beam(PDN_FIRST_BEAM_ELEMENT, 1, 0.5_dp, PDN_FRAME_SPACE, &
+            PDN_FORCE_1, pdn_constant_signal(2.0_dp), stat=stat, errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_ID, 'first_element')
         call copy%add_load(body, PDN_FRAME_SPACE, PDN_MOMENT_3, never, stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_STRUCT_SIZE, 'signal')
     end subroutine functions_of_phase
@@ -214,10 +224,10 @@ contains
             [1.0_dp, -1.0_dp])
         call model%relation_term_count(PDN_FIRST_RELATION, count)
         call check(count == 2, 'terms')
-        call model%set_label(PDN_OBJECT_NODE, body, 'wheel')
-        call check(model%label(PDN_OBJECT_NODE, body) == 'wheel', 'label')
-        call model%set_label(PDN_OBJECT_NODE, body)
-        call check(model%label(PDN_OBJECT_NODE, body) == '', 'no label')
+        call model%set_label(body, 'wheel')
+        call check(model%label(body) == 'wheel', 'label')
+        call model%set_label(body)
+        call check(model%label(body) == '', 'no label')
     end subroutine reading
 
     subroutine beams_and_shells()

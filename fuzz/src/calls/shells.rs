@@ -168,11 +168,13 @@ impl Session<'_, '_> {
     fn line_force(&mut self) {
         let [_, _, elements, _] = self.counts();
         let mut first = 0;
+        let axis_2 = self.bytes.numbers::<3>();
         call!(pdn_model_add_line_force(
             self.model,
             self.bytes.constant(PDN_FIRST_BEAM_ELEMENT, elements),
             1,
-            self.bytes.constant(PDN_FRAME_SPACE, 2),
+            self.bytes.constant(PDN_FRAME_SPACE, 3),
+            axis_2.as_ptr(),
             PDN_TANGENTS_DIFFERENCED,
             Some(given::surface_force),
             null_mut(),

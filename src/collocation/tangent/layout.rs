@@ -8,9 +8,9 @@ use std::ops::Range;
 /// Where an element's tangents go.
 #[derive(Debug, Clone)]
 pub(super) struct ElementPlace {
-    /// Coupling of each pair of its nodes, row by row, and whether no element before it has a part
-    /// in that.
-    pub couplings: Vec<(usize, bool)>,
+    /// Each pair of its nodes that it couples, row by row, their coupling, and whether no element
+    /// before it has a part in that.
+    pub couplings: Vec<((usize, usize), usize, bool)>,
     /// Its stations' strain tangents at a grid point.
     pub strains: Range<usize>,
 }
@@ -70,10 +70,11 @@ impl TangentLayout {
         let mut begun = vec![false; count];
         for placed in system.elements() {
             let nodes = placed.element.nodes();
-            let pairs = nodes
-                .iter()
-                .flat_map(|&a| nodes.iter().map(move |&b| (a, b)));
-            let numbers: Vec<usize> = pairs.map(|(a, b)| layout.couplings.number(a, b)).collect();
+            let coupled = placed.element.couples_nodes();
+            let pairs = (0..nodes.len()).flat_map(|a| (0..nodes.len()).map(move |b| (a, b)));
+            let pairs: Vec<_> = pairs.filter(|(a, b)| coupled || a == b).collect();
+            let number = |(a, b): (usize, usize)| layout.couplings.number(nodes[a], nodes[b]);
+            let numbers: Vec<usize> = pairs.iter().map(|&pair| number(pair)).collect();
             let first = layout.strains;
             let laws = match resultants_apart {
                 true => placed.element.stress_laws(),
@@ -88,9 +89,11 @@ impl TangentLayout {
                     couplings: numbers.clone(),
                 });
             }
-            let begins = |number| (number, !std::mem::replace(&mut begun[number], true));
+            let begins = |(pair, number): (_, usize)| {
+                (pair, number, !std::mem::replace(&mut begun[number], true))
+            };
             layout.places.push(ElementPlace {
-                couplings: numbers.into_iter().map(begins).collect(),
+                couplings: pairs.into_iter().zip(numbers).map(begins).collect(),
                 strains: first..layout.strains,
             });
         }

@@ -438,9 +438,8 @@ impl TangentLayout {
             let wanted = at.wanted.get(index).copied().unwrap_or(points);
             for k in 0..wanted {
                 let out = at.instants.evaluate(placed, k, at.state, workspace)?;
-                for (place, &(coupling, begins)) in self.places[index].couplings.iter().enumerate()
-                {
-                    let (a, b) = (place / nodes.len(), place % nodes.len());
+                for &((a, b), coupling, begins) in &self.places[index].couplings {
+                    let Some(at) = out.place(a, b) else { continue };
                     if !share.nodes.contains(&nodes[b]) {
                         continue;
                     }
@@ -451,7 +450,7 @@ impl TangentLayout {
                     ];
                     for (sums, (all, counts)) in part.pairs.iter_mut().zip(blocks) {
                         let sum = &mut sums[(coupling - first) * points + k];
-                        let block = all.fixed_view::<6, 6>(6 * a, 6 * b);
+                        let block = all.fixed_view::<6, 6>(at.0, at.1);
                         match (begins, counts) {
                             (true, true) => sum.copy_from(&block),
                             (true, false) => sum.fill(0.0),

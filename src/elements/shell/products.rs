@@ -3,7 +3,7 @@
 //! Factors are kept transposed, a column for each direction of each term, and a row for each
 //! direction of each node: the first direction of all nodes, then the second, then the third.
 
-use crate::elements::add_block;
+use crate::elements::contribution::add_block;
 use crate::elements::line_station::NodeTerms;
 use crate::motion::{DualMatrix, transpose};
 use faer::linalg::matmul::matmul;
