@@ -21,9 +21,11 @@ class Error(Exception):
 
 
 class _Raised(threading.local):
-    """What callbacks on this thread have raised, until the call that needed them is over."""
+    """What callbacks on this thread have raised, and where, until the call that needed them is
+    over."""
 
     exception = None
+    where = None
 
 
 RAISED = _Raised()
@@ -42,11 +44,24 @@ def call(function, *arguments):
         raise Error(_unfit(function, arguments, error, sys._getframe(1))) from None
     raised, RAISED.exception = RAISED.exception, None
     if raised is not None:
+        _note(raised, filled(LIBRARY.pdn_last_error) if status else "")
         raise raised
     if status != 0:
         name = ffi.string(LIBRARY.pdn_status_name(status)).decode()
         message = filled(LIBRARY.pdn_last_error)
         raise Error(message or ffi.string(LIBRARY.pdn_status_message(status)).decode(), name)
+
+
+def _note(raised, message):
+    """Adds to an exception of a function which one it was: as the library names it, and as Python
+    does; before Python 3.11 as its cause."""
+    told = "; ".join(text for text in (message, RAISED.where) if text)
+    if not isinstance(raised, Exception) or not told:
+        return
+    if hasattr(raised, "add_note"):
+        raised.add_note(told)
+    elif raised.__cause__ is None:
+        raised.__cause__ = Error(told, "PDN_ERR_CALLBACK")
 
 
 def _unfit(function, arguments, error, caller):

@@ -14,9 +14,25 @@ from ._call import RAISED, Error
 Callback = namedtuple("Callback", "function data")
 
 
-def _failed(kind, value, _traceback):
-    """What to do with an exception; to C it is told as failure."""
-    RAISED.exception = value if isinstance(value, BaseException) else kind(value)
+def _failing(what):
+    """What to do with an exception; to C it is told as failure. Where it was is kept for a note:
+    which function, `what` it is, and the shapes of arrays `given` to it and `wanted` of it."""
+
+    def failed(kind, value, traceback):
+        RAISED.exception = value if isinstance(value, BaseException) else kind(value)
+        names = traceback.tb_frame.f_locals if traceback else {}
+        function = ffi.from_handle(names["data"]) if "data" in names else None
+        RAISED.where = f"{getattr(function, '__qualname__', function)} is {what}"
+        if "wanted" in names:
+            RAISED.where += f": given {_arrays(names['given'])}; to fill {_arrays(names['wanted'])}"
+
+    return failed
+
+
+def _arrays(of):
+    """Names and shapes of arrays."""
+    return ", ".join(f"{name} {value.shape}" for name, value in vars(of).items()
+                     if isinstance(value, numpy.ndarray))
 
 
 def _taker(name, for_c):
@@ -42,13 +58,15 @@ def view(pointer, *shape):
     return numpy.frombuffer(ffi.buffer(pointer, size)).reshape(shape)
 
 
-@ffi.callback("int32_t(double, double *, void *)", error=1, onerror=_failed)
+@ffi.callback("int32_t(double, double *, void *)", error=1,
+              onerror=_failing("a signal, which returns a number"))
 def _signal(time, value, data):
     value[0] = ffi.from_handle(data)(time)
     return 0
 
 
-@ffi.callback("int32_t(double, double *, double *, void *)", error=1, onerror=_failed)
+@ffi.callback("int32_t(double, double *, double *, void *)", error=1,
+              onerror=_failing("a curve, which returns a position (3,) and axis 2 (3,)"))
 def _curve(fraction, position, axis_2, data):
     place, axis = ffi.from_handle(data)(fraction)
     view(position, 3)[:] = place
@@ -56,14 +74,16 @@ def _curve(fraction, position, axis_2, data):
     return 0
 
 
-@ffi.callback("int32_t(double, double, double *, void *)", error=1, onerror=_failed)
+@ffi.callback("int32_t(double, double, double *, void *)", error=1,
+              onerror=_failing("a surface, which returns a position (3,)"))
 def _surface(u, v, position, data):
     view(position, 3)[:] = ffi.from_handle(data)(u, v)
     return 0
 
 
 @ffi.callback("int32_t(double, double, double, double *, double *, void *)", error=1,
-              onerror=_failed)
+              onerror=_failing("a law of a coordinate, which returns an effort, or that and its "
+                               "derivatives (2,)"))
 def _coordinate_law(time, coordinate, rate, effort, derivatives, data):
     told = ffi.from_handle(data)(time, coordinate, rate)
     if isinstance(told, tuple):
@@ -88,19 +108,28 @@ class ForceState:
 
 class ForceValues:
     """Where forces go: `forces` (nodes x 6), all zero at first; `by_motion` and `by_velocity`
-    (6 nodes x 6 nodes, row: force, column: motion), None where they are not wanted."""
+    (6 nodes x 6 nodes, row: force, column: motion; nodes x 6 x 6, of each node, where nodes were
+    declared apart), None where they are not wanted."""
 
-    def __init__(self, c, count):
+    def __init__(self, c, count, columns):
         self.forces = view(c.forces, count, 6)
-        self.by_motion, self.by_velocity = (
-            None if tangent == ffi.NULL else view(tangent, 6 * count, 6 * count).T
-            for tangent in (c.by_motion, c.by_velocity)
-        )
+
+        def tangents(pointer):
+            if pointer == ffi.NULL:
+                return None
+            if columns < count:
+                return view(pointer, 6, count, 6).transpose(1, 2, 0)
+            return view(pointer, 6 * count, 6 * count).T
+
+        self.by_motion, self.by_velocity = tangents(c.by_motion), tangents(c.by_velocity)
 
 
-@ffi.callback("int32_t(pdn_force_state *, pdn_force_values *, void *)", error=1, onerror=_failed)
+@ffi.callback("int32_t(pdn_force_state *, pdn_force_values *, void *)", error=1,
+              onerror=_failing("a force on nodes"))
 def _user_force(state, values, data):
-    ffi.from_handle(data)(ForceState(state), ForceValues(values, state.node_count))
+    given = ForceState(state)
+    wanted = ForceValues(values, state.node_count, state.column_count)
+    ffi.from_handle(data)(given, wanted)
     return 0
 
 
@@ -132,10 +161,10 @@ class ControllerValues:
 
 
 @ffi.callback("int32_t(pdn_controller_state *, pdn_controller_values *, void *)", error=1,
-              onerror=_failed)
+              onerror=_failing("a controller"))
 def _controller(state, values, data):
-    ffi.from_handle(data)(
-        ControllerState(state), ControllerValues(values, state, values.output_count))
+    given, wanted = ControllerState(state), ControllerValues(values, state, values.output_count)
+    ffi.from_handle(data)(given, wanted)
     return 0
 
 
@@ -169,18 +198,21 @@ class SurfaceValues:
 
 
 @ffi.callback("int32_t(pdn_surface_state *, pdn_surface_values *, void *)", error=1,
-              onerror=_failed)
+              onerror=_failing("a force on an element"))
 def _surface_force(state, values, data):
-    ffi.from_handle(data)(SurfaceState(state), SurfaceValues(values, state.point_count))
+    given, wanted = SurfaceState(state), SurfaceValues(values, state.point_count)
+    ffi.from_handle(data)(given, wanted)
     return 0
 
 
-@ffi.callback("int32_t(pdn_progress *, void *)", error=1, onerror=_failed)
+@ffi.callback("int32_t(pdn_progress *, void *)", error=1,
+              onerror=_failing("told of progress"))
 def _progress(told, data):
     return 1 if ffi.from_handle(data)(told) else 0
 
 
-@ffi.callback("int32_t(pdn_branch_point *, int32_t, void *)", error=1, onerror=_failed)
+@ffi.callback("int32_t(pdn_branch_point *, int32_t, void *)", error=1,
+              onerror=_failing("told of progress"))
 def _branch(point, number, data):
     return 1 if ffi.from_handle(data)(point, number) else 0
 

@@ -30,6 +30,66 @@ def test_a_function_that_gives_no_number():
         model.solve_periodic(2 * np.pi)
 
 
+def notes(error):
+    """What is added to an exception: before Python 3.11 its cause."""
+    return "\n".join(getattr(error, "__notes__", [str(error.__cause__)]))
+
+
+def test_exceptions_tell_which_function_raised_them_and_what_was_expected():
+    def drag(state, values):
+        values.forces[:] = -state.velocities[:, :3]
+
+    model, body, *_ = oscillator()
+    force = model.add_user_force([body], pdn.FRAME_SPACE, pdn.TANGENTS_DIFFERENCED, drag)
+    model.set_label(force, "air")
+    with pytest.raises(ValueError, match="broadcast") as raised:
+        model.solve_periodic(2 * np.pi)
+    told = notes(raised.value)
+    assert 'force 1 "air"' in told and "drag is a force on nodes: given positions (1, 3)" in told
+    assert "velocities (1, 6); to fill forces (1, 6)" in told
+
+    model, *_ = oscillator(force=lambda _time: "one")
+    with pytest.raises(TypeError) as raised:
+        model.solve_periodic(2 * np.pi)
+    assert "<lambda> is a signal, which returns a number" in notes(raised.value)
+
+
+def test_nodes_apart_take_blocks_of_tangents():
+    calls = []
+
+    def drag(state, values):
+        calls.append(values)
+        values.forces[:, :3] = -0.2 * state.velocities[:, :3]
+        if values.by_motion is not None:
+            assert values.by_velocity.shape == (3, 6, 6)
+            values.by_velocity[:, :3, :3] = -0.2 * np.eye(3)
+
+    def solved(apart, tangents):
+        model = pdn.Model()
+        nodes = []
+        for x in range(3):
+            nodes.append(model.add_rigid_body(1 + x, [x, 0, 0], np.eye(3)))
+            slide = model.add_prismatic(pdn.GROUND, nodes[-1], [x, 0, 0], [0, 0, 1])
+            model.add_spring_damper(slide, pdn.DISPLACEMENT, 5, 0.1, 0)
+            model.add_load(nodes[-1], pdn.FRAME_SPACE, pdn.FORCE_3, np.cos)
+        force = model.add_user_force(nodes, pdn.FRAME_SPACE, tangents, drag)
+        if apart:
+            model.declare_nodes_apart(force)
+        assert model.force(force).nodes_apart == apart
+        if tangents == pdn.TANGENTS_GIVEN:
+            assert model.check_tangents(force, 2 * np.pi).error < 1e-6
+        calls.clear()
+        solution = model.solve_periodic(2 * np.pi)
+        values = [solution.sample(pdn.Quantity(pdn.NODE_POSITION, node), 1.0) for node in nodes]
+        return np.array(values), len(calls)
+
+    expected, many = solved(False, pdn.TANGENTS_DIFFERENCED)
+    for tangents in pdn.TANGENTS_DIFFERENCED, pdn.TANGENTS_GIVEN:
+        found, few = solved(True, tangents)
+        np.testing.assert_allclose(found, expected, atol=1e-12)
+        assert few < many / 2
+
+
 def test_functions_live_as_long_as_they_are_needed():
     model, body, *_ = oscillator(force=lambda time: np.cos(time))
     solution = model.solve_periodic(2 * np.pi)
@@ -198,6 +258,6 @@ def test_functions_come_back_to_a_model_from_a_file(tmp_path):
         loaded.solve_periodic(2 * np.pi)
     loaded.bind_coordinate_law(pdn.FIRST_FORCE, pdn.TANGENTS_GIVEN, law)
     loaded.bind_user_force(pdn.FIRST_FORCE + 1, pdn.FRAME_SPACE, pdn.TANGENTS_DIFFERENCED, drag)
-    loaded.set_signal(pdn.SIGNAL_OF_ACTUATOR, push, 0, np.cos)
+    loaded.set_signal(push, 0, np.cos)
     found = loaded.solve_periodic(2 * np.pi).sample(pdn.Quantity(pdn.NODE_POSITION, body), [0, 1])
     np.testing.assert_array_equal(found, wanted)
