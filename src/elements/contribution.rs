@@ -4,6 +4,27 @@ use super::{Element, StrainTangent, beam, controller, distributed_load};
 use super::{shell, surface_force, user_force};
 use nalgebra::{DMatrix, DVector, Matrix6, Vector6};
 
+/// What a contribution's size depends on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Shape {
+    nodes: usize,
+    own_unknowns: usize,
+    has_feedback: bool,
+    couples_nodes: bool,
+}
+
+impl Shape {
+    /// That of an element.
+    pub fn of(element: &dyn Element) -> Self {
+        Shape {
+            nodes: element.nodes().len(),
+            own_unknowns: element.own_unknowns(),
+            has_feedback: element.has_feedback(),
+            couples_nodes: element.couples_nodes(),
+        }
+    }
+}
+
 /// Forces of an element, and their tangents, with respect to material increments of its nodes.
 ///
 /// The equations of the system are `Σ force = 0` and `constraint = 0`: forces are on the left-hand
@@ -36,7 +57,7 @@ pub struct Contribution {
     /// Whether what stress resultants contribute is wanted apart, as `strains`, not in stiffness
     /// and damping.
     pub with_resultants_apart: bool,
-    /// Of each station with [`StressLaw`], for each node, if wanted apart.
+    /// Of each station with [`StressLaw`](super::StressLaw), for each node, if wanted apart.
     pub strains: Vec<StrainTangent>,
     // Scratch of each kind that needs some.
     pub(super) beam: beam::Scratch,
@@ -85,10 +106,20 @@ impl Contribution {
 
     /// Zero contribution of `element`.
     pub fn of(element: &dyn Element, with_tangents: bool) -> Self {
-        let (nodes, own) = (element.nodes().len(), element.own_unknowns());
-        match (element.has_feedback(), element.couples_nodes()) {
-            (true, _) => Self::with_feedback(nodes, own, with_tangents),
-            (false, true) => Self::new(nodes, own, with_tangents),
+        Self::shaped(Shape::of(element), with_tangents)
+    }
+
+    /// Zero contribution of elements of this shape.
+    pub fn shaped(shape: Shape, with_tangents: bool) -> Self {
+        let Shape {
+            nodes,
+            own_unknowns,
+            has_feedback,
+            couples_nodes,
+        } = shape;
+        match (has_feedback, couples_nodes) {
+            (true, _) => Self::with_feedback(nodes, own_unknowns, with_tangents),
+            (false, true) => Self::new(nodes, own_unknowns, with_tangents),
             (false, false) => Self::apart(nodes, with_tangents),
         }
     }

@@ -37,7 +37,7 @@ mod viscoelastic;
 
 pub use beam::Beam;
 pub use bushing::{Bushing, BushingAngles};
-pub use contribution::Contribution;
+pub use contribution::{Contribution, Shape};
 pub use controller::{
     Controller, ControllerCall, ControllerFunction, ControllerInput, ControllerLaw,
     ControllerOutput, ControllerState,

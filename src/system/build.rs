@@ -5,7 +5,7 @@ use super::scales::coordinate_scales;
 use super::{ElementRole, Placed, PlacedRelation, Regime, Scales, Symmetry, System};
 use crate::elements::{
     ActedCoordinate, CoordinateForce, Element, JointKind, Law, MassDamping, Prescribed, Relation,
-    Viscoelastic, ViscousDamper,
+    Shape, Viscoelastic, ViscousDamper,
 };
 use crate::error::{Error, ErrorKind, Result, require_positive_number};
 use crate::model::{
@@ -444,14 +444,13 @@ impl<'a> Builder<'a> {
 impl System {
     pub(super) fn place(&mut self, element: Arc<dyn Element>, role: ElementRole) {
         let has_feedback = element.has_feedback();
-        let kind = [has_feedback, element.couples_nodes()];
-        let size = (element.nodes().len(), element.own_unknowns(), kind);
+        let size = Shape::of(&*element);
         let first_own = self.own_unknowns.len();
         self.own_unknowns
-            .extend((0..size.1).map(|i| element.unknown(i)));
-        let known = self.shapes.iter().position(|(s, _)| *s == size);
+            .extend((0..element.own_unknowns()).map(|i| element.unknown(i)));
+        let known = self.shapes.iter().position(|s| *s == size);
         let shape = known.unwrap_or_else(|| {
-            self.shapes.push((size, element.clone()));
+            self.shapes.push(size);
             self.shapes.len() - 1
         });
         let first_station = self.stations();

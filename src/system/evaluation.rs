@@ -64,7 +64,7 @@ impl System {
             contributions: self
                 .shapes
                 .iter()
-                .map(|(_, like)| Contribution::of(&**like, with_tangents))
+                .map(|&shape| Contribution::shaped(shape, with_tangents))
                 .collect(),
             states: Vec::new(),
             changes: Vec::new(),

@@ -39,7 +39,7 @@ pub(crate) use rotor_symmetry::{describe as describe_role, refused as not_alike}
 pub use scales::Scales;
 pub use summary::Summary;
 
-use crate::elements::{Beam, Element, Inertia, Joint, Shell, Unknown};
+use crate::elements::{Beam, Element, Inertia, Joint, Shape, Shell, Unknown};
 use crate::model::JointCoordinate;
 use crate::motion::Motion;
 use crate::workers::Workers;
@@ -98,9 +98,8 @@ pub struct System {
     /// Reference motions of the nodes.
     reference: Vec<Motion>,
     elements: Vec<Placed>,
-    /// Nodes and own unknowns of each kind of scratch, whether it is for feedback, and whether
-    /// nodes are coupled; the first element of each.
-    shapes: Vec<((usize, usize, [bool; 2]), Arc<dyn Element>)>,
+    /// Of each kind of scratch.
+    shapes: Vec<Shape>,
     /// What each own unknown of the elements is.
     own_unknowns: Vec<Unknown>,
     signals: Vec<DrivenSignal>,
