@@ -31,7 +31,11 @@ def blade():
 def drag(state, values):
     drag.calls += 1
     values.forces[:, :3] = -DRAG * state.velocities[:, :3]
-    if values.by_velocity is not None:
+    if values.by_velocity is None:
+        return
+    if values.by_velocity.ndim == 3:  # a block for each node
+        values.by_velocity[:, range(3), range(3)] = -DRAG
+    else:
         diagonal = np.arange(len(values.by_velocity))
         values.by_velocity[diagonal, diagonal] = np.where(diagonal % 6 < 3, -DRAG, 0)
 
@@ -43,9 +47,11 @@ def cost(kind, size, tangents):
     if kind == "dampers":
         for node in nodes:
             model.add_viscous_damper(pdn.GROUND, node, np.diag([DRAG, DRAG, DRAG, 0, 0, 0]))
-    elif kind == "functions":
+    elif kind != "none":
         for i in range(0, len(nodes), size):
-            model.add_user_force(nodes[i:i + size], pdn.FRAME_SPACE, tangents, drag)
+            force = model.add_user_force(nodes[i:i + size], pdn.FRAME_SPACE, tangents, drag)
+            if kind == "apart":
+                model.declare_nodes_apart(force)
     start = time.process_time()
     solution = model.solve_periodic(np.pi, grid_points=POINTS)
     assert solution.converged
@@ -70,6 +76,7 @@ def main():
                            ("differenced", pdn.TANGENTS_DIFFERENCED)):
         cases += [(f"{size} nodes a function, {told}", "functions", size, tangents)
                   for size in (1, 4, 25)]
+        cases += [(f"25 nodes apart, {told}", "apart", 25, tangents)]
     for told, *case in cases:
         runs = [cost(*case) for _ in range(RUNS)]
         seconds = statistics.median(run[0] for run in runs)
