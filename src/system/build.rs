@@ -430,7 +430,10 @@ impl<'a> Builder<'a> {
             let kind = definition.kind;
             for &coordinate in kind.coordinates() {
                 let at = JointCoordinate { joint, coordinate };
-                if kind.leaves_turns_open(coordinate)
+                // Middle angles have no turns to follow, but a place in the files of solutions.
+                let has_place =
+                    kind.leaves_turns_open(coordinate) || kind.is_middle_angle(coordinate);
+                if has_place
                     && self.model.prescribed_index(&at).is_none()
                     && self.system.tracked_place(&at).is_none()
                 {
