@@ -5,6 +5,7 @@
 //! them nothing shows where `p` is even. With the golden section, `pθ` is as far from whole numbers
 //! as can be, for all `p`. See docs/theory.md, section 10.2.
 
+use super::like_blades::Leaders;
 use super::problem::Collocation;
 use super::resampled::ResampledNodes;
 use super::state::GridState;
@@ -90,14 +91,15 @@ impl Scratch {
         }
     }
 
-    /// Of the equations under these conditions; own unknowns and their rates are given by their
-    /// places.
+    /// Of the equations under these conditions, after grid point `k`, or of those of what leads;
+    /// own unknowns and their rates are given by their places.
     fn unbalance(
         &mut self,
         system: &System,
         conditions: &Conditions,
         node_state: impl Fn(usize) -> NodeState,
         own: impl Fn(usize) -> (f64, f64),
+        (k, leaders): (usize, Option<&Leaders>),
     ) -> Result<Unbalance> {
         let length = system.scales().length;
         // Force components, and moments over the characteristic length.
@@ -121,7 +123,11 @@ impl Scratch {
             ..Unbalance::default()
         };
         self.sums.fill(Vector6::zeros());
-        for placed in system.elements() {
+        let wanted = leaders.map_or(&[][..], Leaders::of_elements);
+        for (index, placed) in system.elements().iter().enumerate() {
+            if wanted.get(index).is_some_and(|points| k >= *points) {
+                continue;
+            }
             let range = placed.own_at(1, 0);
             let own = OwnValues {
                 values: &self.multipliers[range.clone()],
@@ -166,7 +172,10 @@ impl Scratch {
                 }
             }
         }
-        found.force = self.sums.iter().fold(found.force, |r, f| r.max(size(f)));
+        let looked_at = |node: usize| leaders.is_none_or(|leaders| leaders.leads_at(node, k));
+        let sums = self.sums.iter().enumerate();
+        let sums = sums.filter(|(node, _)| looked_at(*node));
+        found.force = sums.fold(found.force, |r, (_, f)| r.max(size(f)));
         for (rows, sum) in found.rows.chunks_exact_mut(6).zip(&self.sums) {
             rows.copy_from_slice(sum.as_slice());
         }
@@ -175,7 +184,7 @@ impl Scratch {
 }
 
 impl Defect {
-    /// Of a state on a grid.
+    /// Of a state on a grid; if blades move alike in it, from that of what leads.
     ///
     /// # Errors
     /// [`crate::error::ErrorKind::GridTooCoarse`] if a motion cannot be interpolated, or a failing
@@ -183,12 +192,12 @@ impl Defect {
     pub fn of(
         system: &System,
         grid: TimeGrid,
-        state: &GridState,
+        (state, leaders): (&GridState, Option<&Leaders>),
         workers: &Workers,
     ) -> Result<Self> {
         let points = grid.points();
         let resampling = Resampling::new(grid, PART / points as f64, points);
-        let nodes = ResampledNodes::new(system, &resampling, state, workers)?;
+        let nodes = ResampledNodes::alike(system, &resampling, (state, leaders), workers)?;
         let unknowns = state.resampled_own(system, &resampling);
         let times: Vec<f64> = (0..points).map(|k| grid.at(resampling.pseudo(k))).collect();
         let time = |k: usize| times[k];
@@ -212,21 +221,31 @@ impl Defect {
                     inertial: InertialForces::FULL,
                 };
                 let node_state = |node: usize| nodes.states[node * points + k];
-                *found = scratch.unbalance(system, &conditions, node_state, |place| {
-                    (
-                        unknowns.values[place * points + k],
-                        unknowns.rates[place * points + k],
-                    )
-                })?;
+                let own = |place: usize| {
+                    let at = place * points + k;
+                    (unknowns.values[at], unknowns.rates[at])
+                };
+                let of = (k, leaders);
+                *found = scratch.unbalance(system, &conditions, node_state, own, of)?;
                 Ok(())
             },
         )?;
-        Ok(Defect {
+        let mut defect = Defect {
             largest: ResidualBetween::of(&found, time),
             rows: found.iter().flat_map(|here| &here.rows).copied().collect(),
             count: system.layout(1).size(),
             nodes,
-        })
+        };
+        defect.repeat_forces(leaders);
+        Ok(defect)
+    }
+
+    /// Writes forces on all nodes from those on what leads.
+    pub(super) fn repeat_forces(&mut self, leaders: Option<&Leaders>) {
+        if let Some(leaders) = leaders {
+            let count = self.count;
+            leaders.repeat_forces(|node, k| k * count + 6 * node, &mut self.rows);
+        }
     }
 
     /// What the grid has taken for its own harmonics, scaled and ordered as the rows of

@@ -1,6 +1,6 @@
 //! How hub and supports of a rotor of like blades may move (docs/theory.md, section 8.10).
 
-use crate::system::Layout;
+use crate::system::{Layout, Placed};
 use nalgebra::{Complex, DMatrix, Matrix6, Vector6};
 use std::f64::consts::TAU;
 
@@ -10,6 +10,8 @@ use std::f64::consts::TAU;
 pub struct AlikeMotions {
     blades: usize,
     nodes: Vec<Option<Step>>,
+    /// Of each element: whether it does the same in all parts of the period.
+    repeats: Vec<bool>,
 }
 
 /// What a part of the period makes of the increments of a node.
@@ -22,9 +24,31 @@ pub struct Step {
 }
 
 impl AlikeMotions {
-    /// Of so many blades, with the steps of the nodes of hub and supports.
-    pub(super) fn new(blades: usize, nodes: Vec<Option<Step>>) -> Self {
-        AlikeMotions { blades, nodes }
+    /// Of so many blades, with the steps of the nodes of hub and supports, for these elements.
+    pub(super) fn new(blades: usize, nodes: Vec<Option<Step>>, elements: &[Placed]) -> Self {
+        let is_still = |&node: &usize| {
+            let step: &Option<Step> = &nodes[node];
+            step.as_ref()
+                .is_some_and(|step| step.forth == Matrix6::identity())
+        };
+        let repeats = elements.iter().map(|placed| {
+            let element = &placed.element;
+            element.own_unknowns() == 0 && element.nodes().iter().all(is_still)
+        });
+        AlikeMotions {
+            repeats: repeats.collect(),
+            blades,
+            nodes,
+        }
+    }
+
+    /// Grid points, of so many, after which an element does the same again: it acts on supports
+    /// alone, and has no own unknowns.
+    pub(in crate::collocation) fn repeats_after(&self, element: usize, points: usize) -> usize {
+        match self.repeats[element] {
+            true => points / self.blades,
+            false => points,
+        }
     }
 
     /// That of a node of hub and supports.

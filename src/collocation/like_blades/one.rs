@@ -76,7 +76,9 @@ impl OneBlade {
             })
         };
         let steps = nodes.iter().map(step).collect();
-        equations.set_alike(AlikeMotions::new(symmetry.blades, steps));
+        let placed = equations.system().clone();
+        let alike = AlikeMotions::new(symmetry.blades, steps, placed.elements());
+        equations.set_alike(alike);
         let back = |&index: &usize| {
             let parts = left.elements[index].parts.iter();
             let inverse = |carry: &DMatrix<f64>| carry.clone().try_inverse();

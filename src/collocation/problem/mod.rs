@@ -14,7 +14,7 @@ pub use scalars::ScalarEquations;
 
 use super::division::Division;
 use super::instants::Instants;
-use super::like_blades::AlikeMotions;
+use super::like_blades::{AlikeMotions, Leaders};
 use super::rule::{TimeRule, over};
 use super::state::GridState;
 use crate::elements::{InertialForces, Measure, NodeState, Unknown};
@@ -55,6 +55,8 @@ pub struct Collocation {
     grounding: f64,
     /// Of one blade of several: how the rest has to move.
     alike: Option<AlikeMotions>,
+    /// Where states are alike at all blades: what is evaluated of them.
+    leaders: Option<Arc<Leaders>>,
     workers: Workers,
     layout: Layout,
     scalars: Option<Arc<dyn ScalarEquations>>,
@@ -160,6 +162,7 @@ impl Collocation {
             applied: Vec::new(),
             grounding: 0.0,
             alike: None,
+            leaders: None,
             system,
             grid,
             workers: Workers::default(),
@@ -396,8 +399,14 @@ impl Collocation {
         self.instants
             .states
             .resize(points * self.system.nodes(), at_rest);
-        self.rule
-            .evaluate(state, &self.workers, &mut self.instants.states);
+        let (rule, states) = (&mut self.rule, &mut self.instants.states);
+        match &self.leaders {
+            Some(leaders) => {
+                rule.evaluate_some(state, &|node| leaders.leads(node), &self.workers, states);
+                leaders.repeat_states(states);
+            }
+            None => rule.evaluate(state, &self.workers, states),
+        }
     }
 
     fn update_rates(&mut self, state: &GridState) {
@@ -477,15 +486,21 @@ impl Collocation {
         let forces = self.division.split(forces, self.layout.of_node());
         let mut all: Vec<_> = forces.into_iter().zip(own).collect();
         let (instants, division) = (&self.instants, &self.division);
+        let wanted = self.leaders.as_ref().map_or(&[][..], |l| l.of_elements());
         division.workers.try_for_each(
             &mut all,
             &mut self.forces_only,
             || system.workspace(false),
             |workspace, i, (forces, own)| {
                 let (share, workers) = (&division.shares[i], &division.workers);
-                instants.forces(share, state, workspace, (forces, own), workers)
+                let asked = (wanted, workers);
+                instants.forces(share, state, workspace, (forces, own), asked)
             },
         )?;
+        if let Some(leaders) = &self.leaders {
+            let layout = self.layout;
+            leaders.repeat_forces(|node, k| layout.motion(node, k).start, out);
+        }
         for (value, scale) in out.iter_mut().zip(&self.row_scale) {
             *value *= scale;
         }

@@ -28,6 +28,7 @@ pub use product::Increment;
 
 use super::division::Share;
 use super::instants::Instants;
+use super::like_blades::AlikeMotions;
 use super::problem::Collocation;
 use super::rule::{RuleWorkspace, TimeRule};
 use super::state::GridState;
@@ -142,6 +143,8 @@ struct Evaluation<'a> {
     workers: &'a Workers,
     state: &'a GridState,
     wanted: &'a [usize],
+    /// Of one blade of several: how the rest moves.
+    alike: Option<&'a AlikeMotions>,
 }
 
 impl Tangent {
@@ -358,6 +361,7 @@ impl Tangent {
             workers: &division.workers,
             state,
             wanted: &self.wanted,
+            alike: equations.alike(),
         };
         division.workers.try_for_each(
             &mut all,
@@ -417,7 +421,6 @@ impl TangentLayout {
         workspace: &mut Workspace,
         part: &mut Part,
     ) -> Result<()> {
-        let first = self.couplings.of_columns(share.nodes.clone()).start;
         let points = at.state.points();
         part.forces.fill(0.0);
         for (&index, own) in share.elements.iter().zip(&mut part.own) {
@@ -436,36 +439,29 @@ impl TangentLayout {
                 own.own.clear();
             }
             let wanted = at.wanted.get(index).copied().unwrap_or(points);
-            for k in 0..wanted {
+            let repeats = at
+                .alike
+                .map_or(points, |alike| alike.repeats_after(index, points));
+            let counts = [is_elastic, has_damping, has_mass];
+            for k in 0..wanted.min(repeats) {
                 let out = at.instants.evaluate(placed, k, at.state, workspace)?;
-                for (place, &(coupling, begins)) in self.places[index].couplings.iter().enumerate()
-                {
-                    let (a, b) = (place / nodes.len(), place % nodes.len());
-                    if !share.nodes.contains(&nodes[b]) {
-                        continue;
-                    }
-                    let blocks = [
-                        (&out.stiffness, is_elastic),
-                        (&out.damping, has_damping),
-                        (&out.mass, has_mass),
-                    ];
-                    for (sums, (all, counts)) in part.pairs.iter_mut().zip(blocks) {
-                        let sum = &mut sums[(coupling - first) * points + k];
-                        let block = all.fixed_view::<6, 6>(6 * a, 6 * b);
-                        match (begins, counts) {
-                            (true, true) => sum.copy_from(&block),
-                            (true, false) => sum.fill(0.0),
-                            (false, true) => *sum += block,
-                            (false, false) => {}
-                        }
-                    }
+                for k in (k..points).step_by(repeats) {
+                    self.add_pairs(
+                        (index, nodes, out),
+                        counts,
+                        (k, points),
+                        share,
+                        &mut part.pairs,
+                    );
+                    share.add_forces(out, nodes, (k, points), part.forces);
                 }
-                share.add_forces(out, nodes, (k, points), part.forces);
                 let Some(((strains, own), asked)) = own else {
                     continue;
                 };
-                for (s, strain) in out.strains.iter().enumerate() {
-                    strains[s * points + k] = *strain;
+                for k in (k..points).step_by(repeats) {
+                    for (s, strain) in out.strains.iter().enumerate() {
+                        strains[s * points + k] = *strain;
+                    }
                 }
                 let count = out.constraint.len();
                 asked[count * k..][..count].copy_from_slice(out.constraint.as_slice());
@@ -473,5 +469,39 @@ impl TangentLayout {
             }
         }
         Ok(())
+    }
+
+    /// Adds tangents of an element at grid point `k`, of those that count, to those of the couplings
+    /// of a share's columns.
+    fn add_pairs(
+        &self,
+        (index, nodes, out): (usize, &[usize], &Contribution),
+        [is_elastic, has_damping, has_mass]: [bool; 3],
+        (k, points): (usize, usize),
+        share: &Share,
+        pairs: &mut [&mut [Matrix6<f64>]; 3],
+    ) {
+        let first = self.couplings.of_columns(share.nodes.clone()).start;
+        let blocks = [
+            (&out.stiffness, is_elastic),
+            (&out.damping, has_damping),
+            (&out.mass, has_mass),
+        ];
+        for (place, &(coupling, begins)) in self.places[index].couplings.iter().enumerate() {
+            let (a, b) = (place / nodes.len(), place % nodes.len());
+            if !share.nodes.contains(&nodes[b]) {
+                continue;
+            }
+            for (sums, (all, counts)) in pairs.iter_mut().zip(blocks) {
+                let sum = &mut sums[(coupling - first) * points + k];
+                let block = all.fixed_view::<6, 6>(6 * a, 6 * b);
+                match (begins, counts) {
+                    (true, true) => sum.copy_from(&block),
+                    (true, false) => sum.fill(0.0),
+                    (false, true) => *sum += block,
+                    (false, false) => {}
+                }
+            }
+        }
     }
 }

@@ -356,8 +356,19 @@ impl Linear {
 }
 
 impl LinearSolver for Linear {
-    fn prepare(&self, equations: &Collocation, state: &mut GridState) {
+    fn prepare(&self, equations: &mut Collocation, state: &mut GridState) {
         self.active.solver().prepare(equations, state);
+    }
+
+    fn is_negligible(
+        &mut self,
+        equations: &Collocation,
+        left: &[f64],
+        tolerance: f64,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        let solver = self.active.solver_mut();
+        solver.is_negligible(equations, left, tolerance, timings)
     }
 
     fn linearise(

@@ -214,7 +214,7 @@ impl ConditionedSolve<'_> {
             ..
         } = &self.found;
         let loads = Loads::of(system, adaptation.largest)?;
-        let (found, _) = assess(system, *grid, state, &self.workers)?;
+        let (found, _) = assess(system, *grid, (state, None), &self.workers)?;
         let points = grid.points();
         self.grids.push(GridTried {
             points,
