@@ -1,39 +1,30 @@
 //! Rotors of like blades, drawn from a seed, solved in whole and by what is left of one blade:
 //! processor times on one thread, side by side, and bytes of the linear equations.
-
-#[path = "../tests/common/random.rs"]
-mod random;
+//!
+//! `ROTORS` says how many of each number of blades (8), `ADAPTIVE` that grids are not given.
 
 mod common;
+#[path = "../tests/common/random.rs"]
+#[allow(dead_code)] // not all kinds of numbers are drawn
+mod random;
 
-use common::models::rotors::{BladedRotor, RotorKind, bladed_rotor};
+use common::models::rotors::{RotorKind, bladed_rotor};
 use common::timing::{median, processor_time};
 use periodyn::model::Model;
 use periodyn::output::Solution;
 use periodyn::solve::{Outcome, PeriodicOptions};
 use random::Random;
+use std::env::var;
 use std::time::Duration;
 
-/// Rotors of each number of blades.
-const ROTORS: u64 = 8;
 const REPETITIONS: usize = 3;
 const SEED: u64 = 20;
+/// Grid points, about.
+const POINTS: usize = 45;
 
-/// What a solve took.
-struct Cost {
-    time: Duration,
-    solution: Solution,
-}
-
-fn solve(model: &Model, period: f64, options: &PeriodicOptions) -> Option<Cost> {
-    let (time, solution) =
-        processor_time(|| Solution::solve(model, period, options, &mut |_, _| true).unwrap());
-    (solution.outcome() == Outcome::Converged).then_some(Cost { time, solution })
-}
-
-fn drawn(blades: usize, number: u64) -> (RotorKind, BladedRotor) {
+fn drawn(blades: usize, number: u64) -> RotorKind {
     let mut r = Random::of(&[SEED, blades as u64, number]);
-    let kind = RotorKind {
+    RotorKind {
         speed: r.between(2.0, 7.0),
         blade: r.decades(0.3, 10.0),
         tower: [r.decades(0.3, 10.0), r.decades(0.2, 1.0)],
@@ -41,123 +32,71 @@ fn drawn(blades: usize, number: u64) -> (RotorKind, BladedRotor) {
         length: r.between(0.5, 1.1),
         mass: r.decades(0.5, 2.0),
         ..RotorKind::new(blades, r.pick(&[2, 3, 4, 6, 8]), r.percent(50))
-    };
-    (kind, bladed_rotor(&kind))
+    }
 }
 
-fn milliseconds(time: Duration) -> f64 {
-    1e3 * time.as_secs_f64()
+fn solve(model: &Model, period: f64, options: &PeriodicOptions) -> (Duration, Solution) {
+    let watch = &mut |_, _: &_| true;
+    let solved = processor_time(|| Solution::solve(model, period, options, watch).unwrap());
+    assert_eq!(solved.1.outcome(), Outcome::Converged);
+    solved
 }
 
-/// Parts of the time: start, analysis, assembly, factors of all kinds, substitution, estimates.
-fn parts(cost: &Cost) -> [f64; 6] {
-    let details = cost.solution.details();
-    let t = &details.timings;
-    [
-        details.guess_time,
-        t.analysis,
-        t.assembly,
-        t.factorisation + t.preconditioner + t.interface,
-        t.substitution,
-        t.estimates,
-    ]
-    .map(milliseconds)
-}
-
-fn compare(blades: usize, number: u64, adaptive: bool, details: bool) -> Option<f64> {
-    let (kind, rotor) = drawn(blades, number);
-    let points = blades * ((45 / blades) | 1);
-    let options = match adaptive {
-        true => PeriodicOptions::default(),
-        false => PeriodicOptions::with_grid_points(points),
-    };
+/// Times faster by one blade.
+fn compare(kind: &RotorKind, options: &PeriodicOptions) -> f64 {
+    let rotor = bladed_rotor(kind);
     let models = [rotor.model.clone(), rotor.symmetric()];
-    let mut costs: [Vec<Cost>; 2] = [Vec::new(), Vec::new()];
+    let mut times = [Vec::new(), Vec::new()];
+    let mut solutions = [None, None];
     for _ in 0..REPETITIONS {
-        for (model, costs) in models.iter().zip(&mut costs) {
-            costs.push(solve(model, rotor.period, &options)?);
+        for ((model, times), last) in models.iter().zip(&mut times).zip(&mut solutions) {
+            let (time, solution) = solve(model, rotor.period, options);
+            times.push(time);
+            *last = Some(solution);
         }
     }
-    let [all, one] = costs.each_ref().map(|costs| {
-        let times = costs.iter().map(|cost| cost.time);
-        median(times)
-    });
-    let ratio = all.as_secs_f64() / one.as_secs_f64();
-    let grids = costs.each_ref().map(|c| c[0].solution.grid().points());
-    let (off, length) = (
-        match grids[0] == grids[1] {
-            true => {
-                let [all, one] = costs.each_ref().map(|c| &c[0].solution.details().state);
-                all.distance(one, 3.0)
-            }
-            false => f64::NAN,
-        },
-        kind.elements,
-    );
-    println!(
-        "{blades} × {length}, {}, N = {grids:?}: {:8.1} {:8.1} ms, {ratio:5.2} times, off {off:.1e}",
-        if kind.hinged { "hinged " } else { "clamped" },
-        milliseconds(all),
-        milliseconds(one)
-    );
-    if details {
-        for costs in &costs {
-            let cost = &costs[0];
-            let d = cost.solution.details();
-            let record = d.periodic().and_then(|p| p.iterative.as_ref());
-            println!(
-                "    start {:.1} analysis {:.1} assembly {:.1} factors {:.1} substitution {:.1} estimates {:.1} of {:.1}",
-                parts(cost)[0],
-                parts(cost)[1],
-                parts(cost)[2],
-                parts(cost)[3],
-                parts(cost)[4],
-                parts(cost)[5],
-                milliseconds(d.total_time),
-            );
-            println!(
-                "    start iterations {}, iterations {}, products {:?}, bytes {:?}, grids {:?}",
-                d.guess_iterations,
-                d.total_iterations,
-                record.map(|r| r.products.clone()),
-                record.map(|r| r.bytes),
-                d.periodic().map(|p| p
-                    .grids
-                    .iter()
-                    .map(|g| (g.points, g.iterations))
-                    .collect::<Vec<_>>()),
-            );
-        }
-    }
-    Some(ratio)
-}
-
-/// Solves one rotor many times, for a profiler.
-fn profile(of: &str) {
-    let numbers: Vec<u64> = of.split(',').map(|x| x.parse().unwrap()).collect();
-    let (_, rotor) = drawn(numbers[0] as usize, numbers[1]);
-    let blades = numbers[0] as usize;
-    let options = PeriodicOptions::with_grid_points(blades * ((45 / blades) | 1));
-    let model = match numbers[2] {
-        0 => rotor.model.clone(),
-        _ => rotor.symmetric(),
+    let [all, one] = times.map(|times| median(times.into_iter()).as_secs_f64());
+    let [whole, reduced] = solutions.map(Option::unwrap);
+    let [points, reduced_points] = [&whole, &reduced].map(|s| s.grid().points());
+    let off = match points == reduced_points {
+        true => whole
+            .details()
+            .state
+            .distance(&reduced.details().state, 3.0),
+        false => f64::NAN,
     };
-    for _ in 0..20 {
-        solve(&model, rotor.period, &options);
-    }
+    let [bytes, reduced_bytes] = [&whole, &reduced].map(|solution| {
+        let record = &solution.details().periodic().unwrap().iterative;
+        record
+            .as_ref()
+            .map_or(0.0, |record| 1e-6 * record.bytes as f64)
+    });
+    let ratio = all / one;
+    let hinged = if kind.hinged { "hinged" } else { "clamped" };
+    println!(
+        "{} × {} {hinged:8}{points:4}{reduced_points:4}{:9.1}{:9.1}{ratio:7.2}\
+         {bytes:8.1}{reduced_bytes:8.1}{off:10.1e}",
+        kind.blades,
+        kind.elements,
+        1e3 * all,
+        1e3 * one
+    );
+    ratio
 }
 
 fn main() {
-    if let Ok(of) = std::env::var("PROFILE") {
-        return profile(&of);
-    }
-    let details = std::env::var("DETAILS").is_ok();
-    for adaptive in [false, true] {
-        for blades in [5, 3] {
-            let ratios = (0..ROTORS).filter_map(|i| compare(blades, i, adaptive, details));
-            let mut ratios: Vec<f64> = ratios.collect();
-            ratios.sort_by(f64::total_cmp);
-            println!("{blades} blades, adaptive {adaptive}: {ratios:.2?}");
-        }
+    let rotors = var("ROTORS").ok().and_then(|count| count.parse().ok());
+    println!(
+        "blades × elements, N all one, all [ms] one [ms] ratio, all [MB] one [MB], difference"
+    );
+    for blades in [5, 3] {
+        let options = match var("ADAPTIVE").is_ok() {
+            true => PeriodicOptions::default(),
+            false => PeriodicOptions::with_grid_points(blades * ((POINTS / blades) | 1)),
+        };
+        let ratios = (0..rotors.unwrap_or(8)).map(|i| compare(&drawn(blades, i), &options));
+        let mut ratios: Vec<f64> = ratios.collect();
+        ratios.sort_by(f64::total_cmp);
+        println!("{blades} blades: {ratios:.2?}");
     }
 }

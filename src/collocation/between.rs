@@ -56,6 +56,8 @@ pub struct Defect {
     pub(super) count: usize,
     /// The nodes then.
     pub(super) nodes: ResampledNodes,
+    /// Grid points after which like blades are where others were; all of them else.
+    part: usize,
 }
 
 /// What is left of the equations at one time.
@@ -71,6 +73,36 @@ struct Unbalance {
     constraint: f64,
     /// Whether anything is beyond any number.
     overflow: bool,
+}
+
+impl Unbalance {
+    /// Of what is asked of own unknowns of an element, from the first on.
+    fn add_own(&mut self, system: &System, (first, asked): (usize, &[f64])) {
+        let length = system.scales().length;
+        for (row, violation) in asked.iter().enumerate() {
+            match system.unknown(first + row) {
+                Unknown::Multiplier(Measure::Length) => {
+                    self.constraint = self.constraint.max(violation.abs() / length);
+                }
+                Unknown::Multiplier(Measure::Angle) => {
+                    self.constraint = self.constraint.max(violation.abs())
+                }
+                // Internal states are balanced by forces and moments.
+                Unknown::State { measure, .. } => {
+                    let scale = match measure {
+                        Measure::Length => 1.0,
+                        Measure::Angle => length,
+                    };
+                    self.force = self.force.max(violation.abs() / scale);
+                }
+                // Of the size of a state in the time of a radian.
+                Unknown::UserState => {
+                    let part = violation.abs() * system.period() / TAU;
+                    self.force = self.force.max(part * system.scales().force);
+                }
+            }
+        }
+    }
 }
 
 /// Scratch of one thread.
@@ -148,29 +180,7 @@ impl Scratch {
             }
             let own = system.layout(1).element(placed);
             found.rows[own].copy_from_slice(out.constraint.as_slice());
-            for (row, violation) in out.constraint.iter().enumerate() {
-                match system.unknown(placed.first_own + row) {
-                    Unknown::Multiplier(Measure::Length) => {
-                        found.constraint = found.constraint.max(violation.abs() / length);
-                    }
-                    Unknown::Multiplier(Measure::Angle) => {
-                        found.constraint = found.constraint.max(violation.abs())
-                    }
-                    // Internal states are balanced by forces and moments.
-                    Unknown::State { measure, .. } => {
-                        let scale = match measure {
-                            Measure::Length => 1.0,
-                            Measure::Angle => length,
-                        };
-                        found.force = found.force.max(violation.abs() / scale);
-                    }
-                    // Of the size of a state in the time of a radian.
-                    Unknown::UserState => {
-                        let part = violation.abs() * system.period() / TAU;
-                        found.force = found.force.max(part * system.scales().force);
-                    }
-                }
-            }
+            found.add_own(system, (placed.first_own, out.constraint.as_slice()));
         }
         let looked_at = |node: usize| leaders.is_none_or(|leaders| leaders.leads_at(node, k));
         let sums = self.sums.iter().enumerate();
@@ -234,6 +244,7 @@ impl Defect {
             largest: ResidualBetween::of(&found, time),
             rows: found.iter().flat_map(|here| &here.rows).copied().collect(),
             count: system.layout(1).size(),
+            part: leaders.map_or(points, Leaders::part),
             nodes,
         };
         defect.repeat_forces(leaders);
@@ -318,7 +329,7 @@ impl Defect {
             for (i, (x, scale)) in rows.iter().zip(&scales).enumerate() {
                 let part = usize::from(i >= nodes);
                 if x.abs() * scale > most[part] {
-                    (worst[part], most[part]) = (k, x.abs() * scale);
+                    (worst[part], most[part]) = (k % self.part, x.abs() * scale);
                 }
             }
         }

@@ -1,5 +1,5 @@
-//! What is evaluated of states in which blades move alike, and what follows from it (docs/theory.md,
-//! section 8.10).
+//! What is evaluated of states in which blades move alike, and what follows from it
+//! (docs/theory.md, section 8.10).
 
 use super::LikeBlades;
 use crate::elements::NodeState;
@@ -64,6 +64,11 @@ impl Leaders {
     /// Grid points, from the first on, at which each element is evaluated.
     pub fn of_elements(&self) -> &[usize] {
         &self.of_elements
+    }
+
+    /// Grid points of a part of the period.
+    pub fn part(&self) -> usize {
+        self.left.part
     }
 
     /// Whether a node leads.

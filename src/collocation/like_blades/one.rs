@@ -77,7 +77,16 @@ impl OneBlade {
         };
         let steps = nodes.iter().map(step).collect();
         let placed = equations.system().clone();
-        let alike = AlikeMotions::new(symmetry.blades, steps, placed.elements());
+        let carries = symmetry.carries_of_own.get().and_then(Option::as_ref);
+        let own = |&index: &usize| {
+            shared(&index).then(|| {
+                let forth = carries.and_then(|carries| carries[index].clone())?;
+                let back = forth.clone().try_inverse()?;
+                Some([forth, back])
+            })
+        };
+        let own = elements.iter().map(own).collect();
+        let alike = AlikeMotions::new(symmetry.blades, steps, own, placed.elements());
         equations.set_alike(alike);
         let back = |&index: &usize| {
             let parts = left.elements[index].parts.iter();

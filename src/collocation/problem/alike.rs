@@ -37,6 +37,13 @@ impl Collocation {
         pairs.for_each(|((out, row), scale)| *out = row - *out * scale);
     }
 
+    /// Takes from unknowns what is not alike, if motions have to be.
+    pub fn project(&self, unknowns: &mut [f64]) {
+        if let Some(alike) = &self.alike {
+            alike.project(self.layout, self.system.elements(), unknowns);
+        }
+    }
+
     /// Takes from the forces on nodes what does no work on motions that are alike, if they have to
     /// be.
     pub fn average(&self, forces: &mut [f64]) {
