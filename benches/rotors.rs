@@ -1,70 +1,102 @@
-//! Rotors of like blades, solved in whole and by what is left of one blade: processor times on one
-//! thread, side by side, and bytes of the linear equations.
+//! Rotors of like blades, drawn from a seed, solved in whole and by what is left of one blade:
+//! processor times on one thread, side by side, and bytes of the linear equations.
+//!
+//! `ROTORS` says how many of each number of blades (8), `ADAPTIVE` that grids are not given.
 
 mod common;
+#[path = "../tests/common/random.rs"]
+#[allow(dead_code)] // not all kinds of numbers are drawn
+mod random;
 
 use common::models::rotors::{RotorKind, bladed_rotor};
 use common::timing::{median, processor_time};
 use periodyn::model::Model;
 use periodyn::output::Solution;
-use periodyn::solve::{LinearMethod, Outcome, PeriodicOptions, Preconditioner};
+use periodyn::solve::{Outcome, PeriodicOptions};
+use random::Random;
+use std::env::var;
+use std::time::Duration;
 
-const REPETITIONS: usize = 5;
+const REPETITIONS: usize = 3;
+const SEED: u64 = 20;
+/// Grid points, about.
+const POINTS: usize = 45;
 
-fn solve(model: &Model, period: f64, options: &PeriodicOptions) -> Solution {
-    let solution = Solution::solve(model, period, options, &mut |_, _| true).unwrap();
-    assert_eq!(solution.outcome(), Outcome::Converged);
-    solution
+fn drawn(blades: usize, number: u64) -> RotorKind {
+    let mut r = Random::of(&[SEED, blades as u64, number]);
+    RotorKind {
+        speed: r.between(2.0, 7.0),
+        blade: r.decades(0.3, 10.0),
+        tower: [r.decades(0.3, 10.0), r.decades(0.2, 1.0)],
+        wind: r.between(-2.0, 2.0),
+        length: r.between(0.5, 1.1),
+        mass: r.decades(0.5, 2.0),
+        ..RotorKind::new(blades, r.pick(&[2, 3, 4, 6, 8]), r.percent(50))
+    }
+}
+
+fn solve(model: &Model, period: f64, options: &PeriodicOptions) -> (Duration, Solution) {
+    let watch = &mut |_, _: &_| true;
+    let solved = processor_time(|| Solution::solve(model, period, options, watch).unwrap());
+    assert_eq!(solved.1.outcome(), Outcome::Converged);
+    solved
+}
+
+/// Times faster by one blade.
+fn compare(kind: &RotorKind, options: &PeriodicOptions) -> f64 {
+    let rotor = bladed_rotor(kind);
+    let models = [rotor.model.clone(), rotor.symmetric()];
+    let mut times = [Vec::new(), Vec::new()];
+    let mut solutions = [None, None];
+    for _ in 0..REPETITIONS {
+        for ((model, times), last) in models.iter().zip(&mut times).zip(&mut solutions) {
+            let (time, solution) = solve(model, rotor.period, options);
+            times.push(time);
+            *last = Some(solution);
+        }
+    }
+    let [all, one] = times.map(|times| median(times.into_iter()).as_secs_f64());
+    let [whole, reduced] = solutions.map(Option::unwrap);
+    let [points, reduced_points] = [&whole, &reduced].map(|s| s.grid().points());
+    let off = match points == reduced_points {
+        true => whole
+            .details()
+            .state
+            .distance(&reduced.details().state, 3.0),
+        false => f64::NAN,
+    };
+    let [bytes, reduced_bytes] = [&whole, &reduced].map(|solution| {
+        let record = &solution.details().periodic().unwrap().iterative;
+        record
+            .as_ref()
+            .map_or(0.0, |record| 1e-6 * record.bytes as f64)
+    });
+    let ratio = all / one;
+    let hinged = if kind.hinged { "hinged" } else { "clamped" };
+    println!(
+        "{} × {} {hinged:8}{points:4}{reduced_points:4}{:9.1}{:9.1}{ratio:7.2}\
+         {bytes:8.1}{reduced_bytes:8.1}{off:10.1e}",
+        kind.blades,
+        kind.elements,
+        1e3 * all,
+        1e3 * one
+    );
+    ratio
 }
 
 fn main() {
+    let rotors = var("ROTORS").ok().and_then(|count| count.parse().ok());
     println!(
-        "{:24}{:>16}{:>10}{:>10}{:>8}{:>10}{:>10}",
-        "blades, elements, N", "method", "all [s]", "one [s]", "ratio", "all [MB]", "one [MB]"
+        "blades × elements, N all one, all [ms] one [ms] ratio, all [MB] one [MB], difference"
     );
-    for (blades, elements, points, hinged) in [
-        (3, 2, 33, false),
-        (3, 8, 51, true),
-        (5, 2, 35, true),
-        (5, 4, 65, true),
-        (5, 8, 65, false),
-        (5, 8, 125, true),
-        (7, 8, 63, false),
-    ] {
-        let rotor = bladed_rotor(&RotorKind::new(blades, elements, hinged));
-        let models = [rotor.model.clone(), rotor.symmetric()];
-        let iteration = LinearMethod::Iterative(Some(Preconditioner::BodyCirculant));
-        for (name, linear) in [
-            ("direct", LinearMethod::Direct),
-            ("iteration", iteration),
-            ("default", LinearMethod::Automatic),
-        ] {
-            if name == "direct" && elements * points > 300 {
-                continue;
-            }
-            let options = PeriodicOptions {
-                linear,
-                ..PeriodicOptions::with_grid_points(points)
-            };
-            let mut times = [Vec::new(), Vec::new()];
-            let mut bytes = [String::new(), String::new()];
-            for _ in 0..REPETITIONS {
-                for ((model, times), bytes) in models.iter().zip(&mut times).zip(&mut bytes) {
-                    let (time, solution) = processor_time(|| solve(model, rotor.period, &options));
-                    times.push(time);
-                    let record = solution.details().periodic().unwrap().iterative.clone();
-                    let size = record.map(|r| format!("{:.1}", 1e-6 * r.bytes as f64));
-                    *bytes = size.unwrap_or_default();
-                }
-            }
-            let [all, one] = times.map(|times| median(times.into_iter()).as_secs_f64());
-            println!(
-                "{:24}{name:>16}{all:10.3}{one:10.3}{:8.2}{:>10}{:>10}",
-                format!("{blades} × {elements}, {points}"),
-                all / one,
-                bytes[0],
-                bytes[1]
-            );
-        }
+    for blades in [5, 3] {
+        let options = match var("ADAPTIVE").is_ok() {
+            true => PeriodicOptions::default(),
+            false => PeriodicOptions::with_grid_points(blades * ((POINTS / blades) | 1)),
+        };
+        let ratios = (0..rotors.unwrap_or(8)).map(|i| compare(&drawn(blades, i), &options));
+        let mut ratios: Vec<f64> = ratios.collect();
+        ratios.sort_by(f64::total_cmp);
+        println!("{blades} blades: {ratios:.2?}");
     }
 }

@@ -3456,10 +3456,10 @@ class Model(ModelExtras):
         Solutions are those of all blades, as without this. They are solved for so where the
         number of grid points is a multiple of that of blades, as adaptive solves then choose
         it; not where time is mapped, equations are oversampled, controllers act or beams are
-        very slender, and only by factors where blades act on each other or turn much on hinges.
-        Loads and conditions that parameters make different at the blades are solved for in
-        whole. Nothing else takes notice: statics, modes, marches, branches and stability are
-        those of the whole model.
+        very slender, and only by factors where blades act on each other. Loads and conditions
+        that parameters make different at the blades are solved for in whole. Nothing else takes
+        notice: statics, modes, marches, branches and stability are those of the whole model.
+        Six blades are three pairs, each given as one.
 
         Args:
             axis: array of shape (3): direction of the axis, not zero

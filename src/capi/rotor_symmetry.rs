@@ -22,9 +22,9 @@ use nalgebra::Vector3;
 /// Solutions are those of all blades, as without this. They are solved for so where the number of
 /// grid points is a multiple of that of blades, as adaptive solves then choose it; not where time
 /// is mapped, equations are oversampled, controllers act or beams are very slender, and only by
-/// factors where blades act on each other or turn much on hinges. Loads and conditions that
-/// parameters make different at the blades are solved for in whole. Nothing else takes notice:
-/// statics, modes, marches, branches and stability are those of the whole model.
+/// factors where blades act on each other. Loads and conditions that parameters make different at
+/// the blades are solved for in whole. Nothing else takes notice: statics, modes, marches, branches
+/// and stability are those of the whole model. Six blades are three pairs, each given as one.
 ///
 /// @param model  the model; not NULL
 /// @param axis  array of length 3: direction of the axis, not zero

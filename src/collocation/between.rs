@@ -5,6 +5,7 @@
 //! them nothing shows where `p` is even. With the golden section, `pθ` is as far from whole numbers
 //! as can be, for all `p`. See docs/theory.md, section 10.2.
 
+use super::like_blades::Leaders;
 use super::problem::Collocation;
 use super::resampled::ResampledNodes;
 use super::state::GridState;
@@ -55,6 +56,8 @@ pub struct Defect {
     pub(super) count: usize,
     /// The nodes then.
     pub(super) nodes: ResampledNodes,
+    /// Grid points after which like blades are where others were; all of them else.
+    part: usize,
 }
 
 /// What is left of the equations at one time.
@@ -70,6 +73,36 @@ struct Unbalance {
     constraint: f64,
     /// Whether anything is beyond any number.
     overflow: bool,
+}
+
+impl Unbalance {
+    /// Of what is asked of own unknowns of an element, from the first on.
+    fn add_own(&mut self, system: &System, (first, asked): (usize, &[f64])) {
+        let length = system.scales().length;
+        for (row, violation) in asked.iter().enumerate() {
+            match system.unknown(first + row) {
+                Unknown::Multiplier(Measure::Length) => {
+                    self.constraint = self.constraint.max(violation.abs() / length);
+                }
+                Unknown::Multiplier(Measure::Angle) => {
+                    self.constraint = self.constraint.max(violation.abs())
+                }
+                // Internal states are balanced by forces and moments.
+                Unknown::State { measure, .. } => {
+                    let scale = match measure {
+                        Measure::Length => 1.0,
+                        Measure::Angle => length,
+                    };
+                    self.force = self.force.max(violation.abs() / scale);
+                }
+                // Of the size of a state in the time of a radian.
+                Unknown::UserState => {
+                    let part = violation.abs() * system.period() / TAU;
+                    self.force = self.force.max(part * system.scales().force);
+                }
+            }
+        }
+    }
 }
 
 /// Scratch of one thread.
@@ -90,14 +123,15 @@ impl Scratch {
         }
     }
 
-    /// Of the equations under these conditions; own unknowns and their rates are given by their
-    /// places.
+    /// Of the equations under these conditions, after grid point `k`, or of those of what leads;
+    /// own unknowns and their rates are given by their places.
     fn unbalance(
         &mut self,
         system: &System,
         conditions: &Conditions,
         node_state: impl Fn(usize) -> NodeState,
         own: impl Fn(usize) -> (f64, f64),
+        (k, leaders): (usize, Option<&Leaders>),
     ) -> Result<Unbalance> {
         let length = system.scales().length;
         // Force components, and moments over the characteristic length.
@@ -121,7 +155,11 @@ impl Scratch {
             ..Unbalance::default()
         };
         self.sums.fill(Vector6::zeros());
-        for placed in system.elements() {
+        let wanted = leaders.map_or(&[][..], Leaders::of_elements);
+        for (index, placed) in system.elements().iter().enumerate() {
+            if wanted.get(index).is_some_and(|points| k >= *points) {
+                continue;
+            }
             let range = placed.own_at(1, 0);
             let own = OwnValues {
                 values: &self.multipliers[range.clone()],
@@ -142,31 +180,12 @@ impl Scratch {
             }
             let own = system.layout(1).element(placed);
             found.rows[own].copy_from_slice(out.constraint.as_slice());
-            for (row, violation) in out.constraint.iter().enumerate() {
-                match system.unknown(placed.first_own + row) {
-                    Unknown::Multiplier(Measure::Length) => {
-                        found.constraint = found.constraint.max(violation.abs() / length);
-                    }
-                    Unknown::Multiplier(Measure::Angle) => {
-                        found.constraint = found.constraint.max(violation.abs())
-                    }
-                    // Internal states are balanced by forces and moments.
-                    Unknown::State { measure, .. } => {
-                        let scale = match measure {
-                            Measure::Length => 1.0,
-                            Measure::Angle => length,
-                        };
-                        found.force = found.force.max(violation.abs() / scale);
-                    }
-                    // Of the size of a state in the time of a radian.
-                    Unknown::UserState => {
-                        let part = violation.abs() * system.period() / TAU;
-                        found.force = found.force.max(part * system.scales().force);
-                    }
-                }
-            }
+            found.add_own(system, (placed.first_own, out.constraint.as_slice()));
         }
-        found.force = self.sums.iter().fold(found.force, |r, f| r.max(size(f)));
+        let looked_at = |node: usize| leaders.is_none_or(|leaders| leaders.leads_at(node, k));
+        let sums = self.sums.iter().enumerate();
+        let sums = sums.filter(|(node, _)| looked_at(*node));
+        found.force = sums.fold(found.force, |r, (_, f)| r.max(size(f)));
         for (rows, sum) in found.rows.chunks_exact_mut(6).zip(&self.sums) {
             rows.copy_from_slice(sum.as_slice());
         }
@@ -175,7 +194,7 @@ impl Scratch {
 }
 
 impl Defect {
-    /// Of a state on a grid.
+    /// Of a state on a grid; if blades move alike in it, from that of what leads.
     ///
     /// # Errors
     /// [`crate::error::ErrorKind::GridTooCoarse`] if a motion cannot be interpolated, or a failing
@@ -183,12 +202,12 @@ impl Defect {
     pub fn of(
         system: &System,
         grid: TimeGrid,
-        state: &GridState,
+        (state, leaders): (&GridState, Option<&Leaders>),
         workers: &Workers,
     ) -> Result<Self> {
         let points = grid.points();
         let resampling = Resampling::new(grid, PART / points as f64, points);
-        let nodes = ResampledNodes::new(system, &resampling, state, workers)?;
+        let nodes = ResampledNodes::alike(system, &resampling, (state, leaders), workers)?;
         let unknowns = state.resampled_own(system, &resampling);
         let times: Vec<f64> = (0..points).map(|k| grid.at(resampling.pseudo(k))).collect();
         let time = |k: usize| times[k];
@@ -212,21 +231,32 @@ impl Defect {
                     inertial: InertialForces::FULL,
                 };
                 let node_state = |node: usize| nodes.states[node * points + k];
-                *found = scratch.unbalance(system, &conditions, node_state, |place| {
-                    (
-                        unknowns.values[place * points + k],
-                        unknowns.rates[place * points + k],
-                    )
-                })?;
+                let own = |place: usize| {
+                    let at = place * points + k;
+                    (unknowns.values[at], unknowns.rates[at])
+                };
+                let of = (k, leaders);
+                *found = scratch.unbalance(system, &conditions, node_state, own, of)?;
                 Ok(())
             },
         )?;
-        Ok(Defect {
+        let mut defect = Defect {
             largest: ResidualBetween::of(&found, time),
             rows: found.iter().flat_map(|here| &here.rows).copied().collect(),
             count: system.layout(1).size(),
+            part: leaders.map_or(points, Leaders::part),
             nodes,
-        })
+        };
+        defect.repeat_forces(leaders);
+        Ok(defect)
+    }
+
+    /// Writes forces on all nodes from those on what leads.
+    pub(super) fn repeat_forces(&mut self, leaders: Option<&Leaders>) {
+        if let Some(leaders) = leaders {
+            let count = self.count;
+            leaders.repeat_forces(|node, k| k * count + 6 * node, &mut self.rows);
+        }
     }
 
     /// What the grid has taken for its own harmonics, scaled and ordered as the rows of
@@ -299,7 +329,7 @@ impl Defect {
             for (i, (x, scale)) in rows.iter().zip(&scales).enumerate() {
                 let part = usize::from(i >= nodes);
                 if x.abs() * scale > most[part] {
-                    (worst[part], most[part]) = (k, x.abs() * scale);
+                    (worst[part], most[part]) = (k % self.part, x.abs() * scale);
                 }
             }
         }

@@ -35,14 +35,15 @@ impl Instants {
     }
 
     /// Writes the equations of a share, not scaled: forces on its nodes, and what the elements ask
-    /// of their own unknowns.
+    /// of their own unknowns. Each element is evaluated at so many grid points as `wanted` says,
+    /// from the first on; at all if it says nothing.
     pub(super) fn forces(
         &self,
         share: &Share,
         state: &GridState,
         workspace: &mut Workspace,
         (forces, own): (&mut [f64], &mut [Option<&mut [f64]>]),
-        workers: &Workers,
+        (wanted, workers): (&[usize], &Workers),
     ) -> Result<()> {
         forces.fill(0.0);
         for (&index, own) in share.elements.iter().zip(own) {
@@ -50,7 +51,7 @@ impl Instants {
             let placed = &self.system.elements()[index];
             let nodes = placed.element.nodes();
             let count = placed.element.own_unknowns();
-            for k in 0..self.points {
+            for k in 0..wanted.get(index).copied().unwrap_or(self.points) {
                 let contribution = self.evaluate(placed, k, state, workspace)?;
                 share.add_forces(contribution, nodes, (k, self.points), forces);
                 if let Some(own) = own {

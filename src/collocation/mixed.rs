@@ -80,9 +80,15 @@ impl Collocation {
         let mut rows = vec![0.0; points * count];
         // Taken out while they are read.
         let nodes = std::mem::take(&mut self.instants.states);
-        let moved = self.move_excess(&path.at(part), [&nodes, &path.nodes], (&mut rows, count));
+        let leaders = self.leaders().cloned();
+        let leaders = leaders.as_deref();
+        let states = [&nodes[..], &path.nodes];
+        let moved = self.move_excess(&path.at(part), states, (&mut rows, count), leaders);
         self.instants.states = nodes;
         moved?;
+        if let Some(leaders) = leaders {
+            leaders.repeat_forces(|node, k| k * count + 6 * node, &mut rows);
+        }
         for (k, rows) in rows.chunks_exact(count).enumerate() {
             for (node, forces) in rows.chunks_exact(6).enumerate() {
                 let rows = self.layout().motion(node, k);

@@ -25,7 +25,7 @@ mod tangent;
 
 pub use between::{Defect, ResidualBetween};
 pub use decay::{Decay, DecayKind};
-pub use like_blades::{AlikeMotions, LikeBlades, OneBlade, require_like_blades};
+pub use like_blades::{AlikeMotions, Leaders, LikeBlades, OneBlade, require_like_blades};
 pub use mixed::ResultantPath;
 pub use motion_tangent::MotionTangent;
 pub use partition::{Halo, Item, Partition, RankPart};

@@ -1,5 +1,6 @@
 //! The unknowns at the points of another grid of the same period.
 
+use super::like_blades::Leaders;
 use super::state::GridState;
 use crate::elements::NodeState;
 use crate::error::{Error, ErrorKind, Result};
@@ -84,6 +85,20 @@ impl ResampledNodes {
         state: &GridState,
         workers: &Workers,
     ) -> Result<Self> {
+        Self::alike(system, resampling, (state, None), workers)
+    }
+
+    /// The same of a state in which blades move alike, at as many times equally far from each
+    /// other: from the nodes that lead.
+    ///
+    /// # Errors
+    /// As there.
+    pub(super) fn alike(
+        system: &System,
+        resampling: &Resampling,
+        (state, leaders): (&GridState, Option<&Leaders>),
+        workers: &Workers,
+    ) -> Result<Self> {
         let (points, slopes) = (resampling.points(), slopes(resampling));
         let mut states = vec![NodeState::at_rest(Motion::identity()); system.nodes() * points];
         let mut nodes: Vec<&mut [NodeState]> = states.chunks_exact_mut(points).collect();
@@ -91,8 +106,14 @@ impl ResampledNodes {
             &mut nodes,
             &mut Vec::new(),
             || NodeResampling::new(resampling, &slopes),
-            |resampling, node, out| resampling.resample(state, node, out),
+            |resampling, node, out| match leaders {
+                Some(leaders) if !leaders.leads(node) => Ok(()),
+                _ => resampling.resample(state, node, out),
+            },
         )?;
+        if let Some(leaders) = leaders {
+            leaders.repeat_states(&mut states);
+        }
         Ok(ResampledNodes { states })
     }
 }
@@ -113,6 +134,24 @@ impl GridState {
     ) -> Result<GridState> {
         let resampling = Resampling::between(grid, start, other);
         let nodes = ResampledNodes::new(system, &resampling, self, workers)?;
+        let own = self.resampled_own(system, &resampling);
+        Ok(self.made_of(system, &resampling, (&nodes, &own), other))
+    }
+
+    /// The same of a state in which blades move alike, from the first points of both grids on, from
+    /// what leads on the other one.
+    ///
+    /// # Errors
+    /// As there.
+    pub(crate) fn resampled_alike(
+        &self,
+        system: &System,
+        grid: TimeGrid,
+        (other, leaders): (TimeGrid, &Leaders),
+        workers: &Workers,
+    ) -> Result<GridState> {
+        let resampling = Resampling::between(grid, 0.0, other);
+        let nodes = ResampledNodes::alike(system, &resampling, (self, Some(leaders)), workers)?;
         let own = self.resampled_own(system, &resampling);
         Ok(self.made_of(system, &resampling, (&nodes, &own), other))
     }

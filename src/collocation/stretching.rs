@@ -7,25 +7,34 @@
 //! carried there.
 
 use super::between::{Defect, PART};
+use super::like_blades::Leaders;
 use super::problem::Collocation;
 use crate::error::Result;
 use crate::fourier::Resampling;
 
 impl Defect {
     /// Lets what stress resultants are more than those interpolated act on the beams as they are at
-    /// the grid points before, for which `equations` have the kinematics.
+    /// the grid points before, for which `equations` have the kinematics; if blades move alike in
+    /// their state, from those of what leads.
     ///
     /// # Errors
     /// If an element is too distorted.
-    pub fn carry_resultants(&mut self, equations: &mut Collocation) -> Result<()> {
+    pub fn carry_resultants(
+        &mut self,
+        equations: &mut Collocation,
+        leaders: Option<&Leaders>,
+    ) -> Result<()> {
         let grid = equations.grid();
         let between = Resampling::new(grid, PART / grid.points() as f64, grid.points());
-        let interpolated = equations.resampled_resultants(between)?;
+        let interpolated = equations.resampled_resultants(between, leaders)?;
         if interpolated.is_empty() {
             return Ok(());
         }
         let rows = (&mut self.rows[..], self.count);
         let at = equations.node_states().to_vec();
-        equations.move_excess(&interpolated, [&self.nodes.states, &at], rows)
+        let states = [&self.nodes.states[..], &at];
+        equations.move_excess(&interpolated, states, rows, leaders)?;
+        self.repeat_forces(leaders);
+        Ok(())
     }
 }

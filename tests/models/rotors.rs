@@ -48,6 +48,9 @@ pub struct RotorKind {
     pub tower: [f64; 2],
     /// Factor of the loads on the tips.
     pub wind: f64,
+    /// Factors of the length of blades, and of their mass.
+    pub length: f64,
+    pub mass: f64,
 }
 
 impl RotorKind {
@@ -61,6 +64,8 @@ impl RotorKind {
             blade: 1.0,
             tower: [1.0, 0.5],
             wind: 1.0,
+            length: 1.0,
+            mass: 1.0,
         }
     }
 }
@@ -95,13 +100,14 @@ pub fn bladed_rotor(kind: &RotorKind) -> BladedRotor {
     drive(&mut model, shaft, period);
     gravity(&mut model, [0.0, 0.0, -9.81]);
     let stiffness = [2e6, 8e5, 8e5, 2e3, 1.5e3, 8e3].map(|s| s * kind.blade);
-    let blade_section = damped_section(&stiffness, &[1.2, 2e-3, 5e-4, 1.5e-3], 5e-3);
+    let inertia = [1.2, 2e-3, 5e-4, 1.5e-3].map(|m| m * kind.mass);
+    let blade_section = damped_section(&stiffness, &inertia, 5e-3);
     let mut blades = Vec::new();
     for j in 0..count {
         let phase = TAU * j as f64 / count as f64;
         let turn = Rotation3::new(AXIS * phase);
         let along = turn * Vector3::z();
-        let (root, tip) = (CENTRE + along * 0.3, CENTRE + along * 3.0);
+        let (root, tip) = (CENTRE + along * 0.3, CENTRE + along * (3.0 * kind.length));
         let beam = model
             .add_straight_beam(&root, &tip, &AXIS, &blade_section, kind.elements, 3)
             .unwrap();

@@ -1,6 +1,6 @@
 //! How hub and supports of a rotor of like blades may move (docs/theory.md, section 8.10).
 
-use crate::system::Layout;
+use crate::system::{Layout, Placed};
 use nalgebra::{Complex, DMatrix, Matrix6, Vector6};
 use std::f64::consts::TAU;
 
@@ -10,7 +10,14 @@ use std::f64::consts::TAU;
 pub struct AlikeMotions {
     blades: usize,
     nodes: Vec<Option<Step>>,
+    /// Of own unknowns of each element that acts on hub and supports alone.
+    own: Vec<Option<OwnStep>>,
+    /// Of each element: whether it does the same in all parts of the period.
+    repeats: Vec<bool>,
 }
+
+/// `T` and `T⁻¹` of own unknowns; none where they are the same.
+pub(super) type OwnStep = Option<[DMatrix<f64>; 2]>;
 
 /// What a part of the period makes of the increments of a node.
 #[derive(Debug, Clone)]
@@ -22,9 +29,38 @@ pub struct Step {
 }
 
 impl AlikeMotions {
-    /// Of so many blades, with the steps of the nodes of hub and supports.
-    pub(super) fn new(blades: usize, nodes: Vec<Option<Step>>) -> Self {
-        AlikeMotions { blades, nodes }
+    /// Of so many blades, with the steps of the nodes of hub and supports, and of the own unknowns
+    /// of these elements.
+    pub(super) fn new(
+        blades: usize,
+        nodes: Vec<Option<Step>>,
+        own: Vec<Option<OwnStep>>,
+        elements: &[Placed],
+    ) -> Self {
+        let is_still = |&node: &usize| {
+            let step: &Option<Step> = &nodes[node];
+            step.as_ref()
+                .is_some_and(|step| step.forth == Matrix6::identity())
+        };
+        let repeats = elements.iter().map(|placed| {
+            let element = &placed.element;
+            element.own_unknowns() == 0 && element.nodes().iter().all(is_still)
+        });
+        AlikeMotions {
+            repeats: repeats.collect(),
+            blades,
+            nodes,
+            own,
+        }
+    }
+
+    /// Grid points, of so many, after which an element does the same again: it acts on supports
+    /// alone, and has no own unknowns.
+    pub(in crate::collocation) fn repeats_after(&self, element: usize, points: usize) -> usize {
+        match self.repeats[element] {
+            true => points / self.blades,
+            false => points,
+        }
     }
 
     /// That of a node of hub and supports.
@@ -66,6 +102,64 @@ impl AlikeMotions {
             }
         }
         self.repeat(layout, forces);
+    }
+
+    /// Takes from unknowns what is not alike: the mean of what all parts of the period say.
+    pub(in crate::collocation) fn project(
+        &self,
+        layout: Layout,
+        elements: &[Placed],
+        x: &mut [f64],
+    ) {
+        let part = layout.points() / self.blades;
+        for (node, step) in self.nodes.iter().enumerate() {
+            let Some(step) = step else {
+                continue;
+            };
+            let at = |k: usize| layout.motion(node, k).start;
+            for k in 0..part {
+                let mut sum = Vector6::zeros();
+                for q in (0..self.blades).rev() {
+                    sum =
+                        step.forth * sum + Vector6::from_column_slice(&x[at(k + q * part)..][..6]);
+                }
+                let mut mean = sum / self.blades as f64;
+                for q in 0..self.blades {
+                    x[at(k + q * part)..][..6].copy_from_slice(mean.as_slice());
+                    mean = step.back * mean;
+                }
+            }
+        }
+        for (placed, step) in elements.iter().zip(&self.own) {
+            let count = placed.element.own_unknowns();
+            let (Some(step), true) = (step, count > 0) else {
+                continue;
+            };
+            let (mut sum, mut next) = (vec![0.0; count], vec![0.0; count]);
+            let mut carry = |matrix: Option<&DMatrix<f64>>, x: &mut Vec<f64>| {
+                let Some(matrix) = matrix else {
+                    return;
+                };
+                for (i, next) in next.iter_mut().enumerate() {
+                    *next = matrix.row(i).iter().zip(&*x).map(|(c, x)| c * x).sum();
+                }
+                x.copy_from_slice(&next);
+            };
+            let [forth, back] = [0, 1].map(|i| step.as_ref().map(|step| &step[i]));
+            for k in 0..part {
+                sum.fill(0.0);
+                for q in (0..self.blades).rev() {
+                    carry(forth, &mut sum);
+                    let here = &x[layout.element_at(placed, k + q * part)];
+                    sum.iter_mut().zip(here).for_each(|(sum, x)| *sum += x);
+                }
+                sum.iter_mut().for_each(|sum| *sum /= self.blades as f64);
+                for q in 0..self.blades {
+                    x[layout.element_at(placed, k + q * part)].copy_from_slice(&sum);
+                    carry(back, &mut sum);
+                }
+            }
+        }
     }
 
     /// Lets the forces on hub and supports be alike in all parts of the period, from the first.

@@ -4,10 +4,9 @@
 use super::{LikeBlades, scaled_adjoint};
 use crate::collocation::problem::Collocation;
 use crate::collocation::state::GridState;
-use crate::collocation::tangent::Tangent;
 use crate::error::Result;
 use crate::fourier::TimeGrid;
-use crate::system::{ElementRole, Symmetry, System, describe_role, not_alike};
+use crate::system::{ElementRole, Placed, Symmetry, System, describe_role, not_alike};
 use nalgebra::{DMatrix, DVector, Vector6};
 use std::collections::HashMap;
 use std::mem::{Discriminant, discriminant};
@@ -99,6 +98,33 @@ fn spread(i: usize) -> f64 {
     2.0 * (i as f64 * 0.618_033_988_75 + 0.3).fract() - 1.0
 }
 
+/// `∂constraint/∂u` of each element that has multipliers, at one grid point after the other, with
+/// scaled rows and columns.
+fn gradients(equations: &mut Collocation, state: &GridState) -> Result<Vec<Vec<DMatrix<f64>>>> {
+    let system = equations.system().clone();
+    let (points, layout) = (state.points(), equations.layout());
+    equations.update_kinematics(state);
+    let mut workspace = system.workspace(true);
+    let columns = equations.column_scale();
+    let of_element = |placed: &Placed| {
+        let has_multipliers = placed.element.own_unknowns() > 0 && !placed.has_states;
+        let at_point = |k: usize| {
+            let out = (equations.instants).evaluate(placed, k, state, &mut workspace)?;
+            let rows = &equations.row_scale()[layout.element_at(placed, k)];
+            let mut matrix = out.gradient.clone();
+            for (j, mut column) in matrix.column_iter_mut().enumerate() {
+                let entries = column.iter_mut().zip(rows);
+                entries.for_each(|(x, row)| *x *= row * columns[j % 6]);
+            }
+            Ok(matrix)
+        };
+        (0..if has_multipliers { points } else { 0 })
+            .map(at_point)
+            .collect()
+    };
+    system.elements().iter().map(of_element).collect()
+}
+
 /// What carries the own unknowns of each element to its image, scaled: the forces that they make
 /// have to be those of the image, at all times.
 fn carries(
@@ -107,27 +133,10 @@ fn carries(
     state: &GridState,
 ) -> Result<Vec<Option<DMatrix<f64>>>> {
     let system = equations.system().clone();
-    let (points, layout) = (state.points(), equations.layout());
+    let points = state.points();
     let part = points / symmetry.blades;
-    let mut tangent = Tangent::new(&system, points);
-    tangent.evaluate(equations, state)?;
-    let scales = equations.column_scale()[..6].to_vec();
+    let gradients = gradients(equations, state)?;
     let length = system.scales().length;
-    // `∂constraint/∂u` with scaled rows and columns.
-    let gradient = |index: usize, k: usize| {
-        let placed = &system.elements()[index];
-        let rows = &equations.row_scale()[layout.element_at(placed, k)];
-        let entries = tangent.gradient(&system, index, k);
-        let columns = 6 * placed.element.nodes().len();
-        let mut matrix = DMatrix::from_column_slice(rows.len(), columns, entries);
-        for (j, mut column) in matrix.column_iter_mut().enumerate() {
-            column
-                .iter_mut()
-                .zip(rows)
-                .for_each(|(x, row)| *x *= row * scales[j % 6]);
-        }
-        matrix
-    };
     let mut carries = Vec::with_capacity(system.elements().len());
     for (index, placed) in system.elements().iter().enumerate() {
         if placed.element.own_unknowns() == 0 || placed.has_states {
@@ -145,8 +154,8 @@ fn carries(
         };
         let mut found: Option<DMatrix<f64>> = None;
         for k in 0..points {
-            let here = gradient(image, k);
-            let mut there = gradient(index, (k + part) % points);
+            let here = &gradients[image][k];
+            let mut there = gradients[index][(k + part) % points].clone();
             for (local, &node) in placed.element.nodes().iter().enumerate() {
                 let carry = scaled_adjoint(&symmetry.carries[node], length);
                 let carried = there.columns(6 * local, 6) * carry;
@@ -155,9 +164,9 @@ fn carries(
             let carry = match &found {
                 Some(carry) => carry,
                 None => {
-                    let square = &here * here.transpose();
+                    let square = here * here.transpose();
                     let inverse = square.try_inverse().ok_or_else(refuse)?;
-                    found.insert(inverse * &here * there.transpose())
+                    found.insert(inverse * here * there.transpose())
                 }
             };
             let off = here.transpose() * carry - there.transpose();
@@ -203,7 +212,17 @@ impl All {
             places: HashMap::new(),
             asked: Vec::with_capacity(system.elements().len()),
         };
+        let count = system.signals();
+        let signals = equations.signals();
+        let gravity = |k: usize| system.gravity(&signals[k * count..][..count]);
+        let is_plain = (1..points).all(|k| gravity(k) == gravity(0));
         for placed in system.elements() {
+            let has_own = placed.element.own_unknowns() > 0;
+            if met && !has_own {
+                // All that matters are forces of constraints.
+                all.asked.push(Vec::new());
+                continue;
+            }
             let nodes = placed.element.nodes();
             let key = (discriminant(&placed.role), nodes.to_vec());
             let place = *all.places.entry(key).or_insert(all.acting.len());
@@ -215,12 +234,18 @@ impl All {
                 });
             }
             let mut own = Vec::new();
-            for (k, sum) in all.acting[place].forces.iter_mut().enumerate() {
+            // What no signals act on tells as much at one point of each part of the period.
+            let step = match placed.role {
+                ElementRole::Beam(_) | ElementRole::Shell(_) if is_plain && !has_own => POINTS,
+                _ => 1,
+            };
+            let forces = all.acting[place].forces.iter_mut().enumerate();
+            for (k, sum) in forces.step_by(step) {
                 let out = (equations.instants).evaluate(placed, k, state, &mut workspace)?;
                 for (i, (sum, x)) in sum.iter_mut().zip(&out.force).enumerate() {
                     *sum += x * equations.row_scale()[i % 6];
                 }
-                if placed.element.own_unknowns() > 0 && placed.has_states != met {
+                if has_own && placed.has_states != met {
                     let rows = &equations.row_scale()[layout.element_at(placed, k)];
                     let scaled = out.constraint.iter().zip(rows).map(|(x, s)| x * s);
                     own.push(DVector::from_iterator(rows.len(), scaled));

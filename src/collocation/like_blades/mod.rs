@@ -3,10 +3,12 @@
 
 mod alike;
 mod check;
+mod leaders;
 mod one;
 
 pub use alike::AlikeMotions;
 pub use check::require_like_blades;
+pub use leaders::Leaders;
 pub use one::OneBlade;
 
 use super::problem::Collocation;
@@ -273,7 +275,9 @@ impl LikeBlades {
         let of_element = |(index, placed): (usize, &Placed)| {
             let of_nodes = placed.element.nodes().iter();
             let places = of_nodes.map(|&node| self.node_places[node]);
-            let places = places.chain([self.element_places[index]]).flatten();
+            // Those without own unknowns have no equations of their own.
+            let own = self.element_places[index].filter(|_| placed.element.own_unknowns() > 0);
+            let places = places.chain([own]).flatten();
             let parts = places.map(|(_, parts)| parts).max();
             parts.unwrap_or(0) * self.part
         };

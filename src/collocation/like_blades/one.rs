@@ -76,7 +76,18 @@ impl OneBlade {
             })
         };
         let steps = nodes.iter().map(step).collect();
-        equations.set_alike(AlikeMotions::new(symmetry.blades, steps));
+        let placed = equations.system().clone();
+        let carries = symmetry.carries_of_own.get().and_then(Option::as_ref);
+        let own = |&index: &usize| {
+            shared(&index).then(|| {
+                let forth = carries.and_then(|carries| carries[index].clone())?;
+                let back = forth.clone().try_inverse()?;
+                Some([forth, back])
+            })
+        };
+        let own = elements.iter().map(own).collect();
+        let alike = AlikeMotions::new(symmetry.blades, steps, own, placed.elements());
+        equations.set_alike(alike);
         let back = |&index: &usize| {
             let parts = left.elements[index].parts.iter();
             let inverse = |carry: &DMatrix<f64>| carry.clone().try_inverse();

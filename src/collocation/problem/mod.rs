@@ -3,6 +3,7 @@
 mod alike;
 mod energy;
 mod ground;
+mod kinematics;
 mod linearised;
 mod momentum;
 mod oversampled;
@@ -14,13 +15,12 @@ pub use scalars::ScalarEquations;
 
 use super::division::Division;
 use super::instants::Instants;
-use super::like_blades::AlikeMotions;
+use super::like_blades::{AlikeMotions, Leaders};
 use super::rule::{TimeRule, over};
 use super::state::GridState;
 use crate::elements::{InertialForces, Measure, NodeState, Unknown};
 use crate::error::Result;
 use crate::fourier::{Slope, TimeGrid};
-use crate::motion::Motion;
 use crate::system::{Layout, System, Workspace};
 use crate::workers::{Workers, parts};
 use std::f64::consts::TAU;
@@ -55,6 +55,8 @@ pub struct Collocation {
     grounding: f64,
     /// Of one blade of several: how the rest has to move.
     alike: Option<AlikeMotions>,
+    /// Where states are alike at all blades: what is evaluated of them.
+    leaders: Option<Arc<Leaders>>,
     workers: Workers,
     layout: Layout,
     scalars: Option<Arc<dyn ScalarEquations>>,
@@ -160,6 +162,7 @@ impl Collocation {
             applied: Vec::new(),
             grounding: 0.0,
             alike: None,
+            leaders: None,
             system,
             grid,
             workers: Workers::default(),
@@ -388,36 +391,6 @@ impl Collocation {
         largest
     }
 
-    /// Evaluates velocities, accelerations and rates of internal states at the grid points.
-    pub fn update_kinematics(&mut self, state: &GridState) {
-        self.update_rates(state);
-        let points = self.grid.points();
-        let at_rest = NodeState::at_rest(Motion::identity());
-        self.instants
-            .states
-            .resize(points * self.system.nodes(), at_rest);
-        self.rule
-            .evaluate(state, &self.workers, &mut self.instants.states);
-    }
-
-    fn update_rates(&mut self, state: &GridState) {
-        let points = self.grid.points();
-        let (mut values, mut rates) = (vec![0.0; points], vec![0.0; points]);
-        for placed in self.system.elements().iter().filter(|p| p.has_states) {
-            for row in 0..placed.element.own_unknowns() {
-                for (k, value) in values.iter_mut().enumerate() {
-                    *value = state.own_of(placed, k)[row];
-                }
-                let gain = state.gain(&self.system, placed, row);
-                let place = placed.first_own + row;
-                self.rule.rates(place, &values, gain, &mut rates);
-                for (k, rate) in rates.iter().enumerate() {
-                    self.instants.rates[state.first_own(placed, k) + row] = *rate;
-                }
-            }
-        }
-    }
-
     /// Takes from the multipliers the part that has no effect, where constraints depend on each
     /// other; kinematics must be those of `state`.
     pub fn reduce_to_least_norm(&mut self, state: &mut GridState) -> Result<()> {
@@ -477,15 +450,21 @@ impl Collocation {
         let forces = self.division.split(forces, self.layout.of_node());
         let mut all: Vec<_> = forces.into_iter().zip(own).collect();
         let (instants, division) = (&self.instants, &self.division);
+        let wanted = self.leaders.as_ref().map_or(&[][..], |l| l.of_elements());
         division.workers.try_for_each(
             &mut all,
             &mut self.forces_only,
             || system.workspace(false),
             |workspace, i, (forces, own)| {
                 let (share, workers) = (&division.shares[i], &division.workers);
-                instants.forces(share, state, workspace, (forces, own), workers)
+                let asked = (wanted, workers);
+                instants.forces(share, state, workspace, (forces, own), asked)
             },
         )?;
+        if let Some(leaders) = &self.leaders {
+            let layout = self.layout;
+            leaders.repeat_forces(|node, k| layout.motion(node, k).start, out);
+        }
         for (value, scale) in out.iter_mut().zip(&self.row_scale) {
             *value *= scale;
         }

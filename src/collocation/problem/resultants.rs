@@ -1,6 +1,7 @@
 //! Stress resultants that geometric stiffness is taken at (docs/theory.md, section 7.3).
 
 use super::Collocation;
+use crate::collocation::like_blades::Leaders;
 use crate::collocation::rule::RuleWorkspace;
 use crate::elements::NodeState;
 use crate::error::Result;
@@ -11,16 +12,28 @@ use nalgebra::Vector6;
 /// Those at the stations of an element.
 type Resultants = [Vector6<f64>];
 
+/// Whether what an element does matters to what leads, if blades are alike.
+fn matters(leaders: Option<&Leaders>, element: usize) -> bool {
+    leaders.is_none_or(|leaders| leaders.of_elements()[element] > 0)
+}
+
 impl Collocation {
-    /// Stress resultants of all stations by their strains, at one grid point after the other.
+    /// Stress resultants of all stations by their strains, at one grid point after the other; of
+    /// states that are taken for alike those of what leads.
     ///
     /// Kinematics must be those of the state that is meant.
     ///
     /// # Errors
     /// If an element is too distorted.
     pub fn resultants_of_strains(&mut self) -> Result<Vec<Vector6<f64>>> {
+        let leaders = self.leaders.clone();
+        self.resultants_of_leaders(leaders.as_deref())
+    }
+
+    /// The same, of what leads alone if blades move alike in the state; zero elsewhere.
+    fn resultants_of_leaders(&mut self, leaders: Option<&Leaders>) -> Result<Vec<Vector6<f64>>> {
         let (system, points) = (self.system.clone(), self.grid.points());
-        self.at_stations(|placed, states, k, workspace, out| {
+        self.at_stations(leaders, |placed, states, k, workspace, out| {
             let state = |node: usize| states[node * points + k];
             system.stress_resultants(placed, state, workspace, out)
         })
@@ -37,7 +50,8 @@ impl Collocation {
     pub fn extrapolated_resultants(&mut self, increment: &[f64]) -> Result<Vec<Vector6<f64>>> {
         let (system, points) = (self.system.clone(), self.grid.points());
         let changes = self.increments_with_rates(increment);
-        self.at_stations(|placed, states, k, workspace, out| {
+        let leaders = self.leaders.clone();
+        self.at_stations(leaders.as_deref(), |placed, states, k, workspace, out| {
             let state = |node: usize| (states[node * points + k], changes[node * points + k]);
             system.extrapolated_resultants(placed, state, workspace, out)
         })
@@ -46,6 +60,7 @@ impl Collocation {
     /// Finds something at the stations of each element, at all grid points.
     fn at_stations(
         &mut self,
+        leaders: Option<&Leaders>,
         find: impl Fn(&Placed, &[NodeState], usize, &mut Workspace, &mut Resultants) -> Result<()>
         + Sync,
     ) -> Result<Vec<Vector6<f64>>> {
@@ -57,7 +72,9 @@ impl Collocation {
             &mut self.forces_only,
             || system.workspace(false),
             |workspace, k, out| {
-                system.elements().iter().try_for_each(|placed| {
+                let elements = system.elements().iter().enumerate();
+                let mut wanted = elements.filter(|(index, _)| matters(leaders, *index));
+                wanted.try_for_each(|(_, placed)| {
                     let out = &mut out[placed.stations.clone()];
                     find(placed, states, k, workspace, out)
                 })
@@ -77,6 +94,7 @@ impl Collocation {
         given: &[Vector6<f64>],
         [from, to]: [&[NodeState]; 2],
         (rows, count): (&mut [f64], usize),
+        leaders: Option<&Leaders>,
     ) -> Result<()> {
         let (system, points) = (&self.system, self.grid.points());
         let given = given.chunks_exact(system.stations());
@@ -86,7 +104,10 @@ impl Collocation {
             &mut self.forces_only,
             || system.workspace(false),
             |workspace, k, (rows, given)| {
-                for placed in system.elements() {
+                for (index, placed) in system.elements().iter().enumerate() {
+                    if !matters(leaders, index) {
+                        continue;
+                    }
                     let given = &given[placed.stations.clone()];
                     if given.is_empty() {
                         continue;
@@ -114,18 +135,25 @@ impl Collocation {
         let mut rates = vec![[Vector6::zeros(); 2]; points];
         let mut workspace = RuleWorkspace::default();
         let of_nodes = increment.chunks_exact(self.layout.of_node());
+        let leaders = self.leaders.as_deref();
         for (node, (changes, increments)) in changes.chunks_mut(points).zip(of_nodes).enumerate() {
+            if leaders.is_some_and(|leaders| !leaders.leads(node)) {
+                continue;
+            }
             self.rule.vary(node, increments, &mut workspace, &mut rates);
             let increments = increments.chunks_exact(6).zip(&rates);
             for (change, (u, [velocity, _])) in changes.iter_mut().zip(increments) {
                 *change = [Vector6::from_column_slice(u), *velocity];
             }
         }
+        if let Some(leaders) = leaders {
+            leaders.repeat_changes(&mut changes);
+        }
         changes
     }
 
     /// Stress resultants of all stations by their strains, where `resampling` goes from this grid;
-    /// none where tangents have no use for them.
+    /// none where tangents have no use for them; if blades move alike, those of what leads alone.
     ///
     /// Kinematics must be those of the state that is meant.
     ///
@@ -134,17 +162,20 @@ impl Collocation {
     pub fn resampled_resultants(
         &mut self,
         mut resampling: Resampling,
+        leaders: Option<&Leaders>,
     ) -> Result<Vec<Vector6<f64>>> {
         let (stations, points) = (self.system.stations(), resampling.points());
         if stations == 0 || self.oversampled.is_some() {
             return Ok(Vec::new());
         }
-        let resultants = self.resultants_of_strains()?;
+        let resultants = self.resultants_of_leaders(leaders)?;
         let mut all = vec![Vector6::zeros(); points * stations];
         let mut values = vec![0.0; points];
         // Those of a station lie far apart: they are fetched and put back once for all six.
         let mut there = vec![Vector6::zeros(); points];
-        for station in 0..stations {
+        let elements = self.system.elements().iter().enumerate();
+        let wanted = elements.filter(|(index, _)| matters(leaders, *index));
+        for station in wanted.flat_map(|(_, placed)| placed.stations.clone()) {
             let here = resultants.iter().skip(station).step_by(stations);
             let here: Vec<Vector6<f64>> = here.copied().collect();
             for row in 0..6 {

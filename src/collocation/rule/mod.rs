@@ -45,6 +45,17 @@ pub trait TimeRule: CloneRule + Debug + Send + Sync {
     /// state.
     fn evaluate(&mut self, state: &GridState, workers: &Workers, nodes: &mut [NodeState]);
 
+    /// The same of some nodes; others may be left as they are.
+    fn evaluate_some(
+        &mut self,
+        state: &GridState,
+        _: &(dyn Fn(usize) -> bool + Sync),
+        workers: &Workers,
+        nodes: &mut [NodeState],
+    ) {
+        self.evaluate(state, workers, nodes);
+    }
+
     /// Writes the rates of the internal state at `place` among the own unknowns, which has these
     /// `values` at the grid points and gains `gain` in a period.
     fn rates(&mut self, place: usize, values: &[f64], gain: f64, rates: &mut [f64]);

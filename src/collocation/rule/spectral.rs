@@ -57,20 +57,28 @@ impl RuleWorkspace {
 
 impl TimeRule for Spectral {
     fn evaluate(&mut self, state: &GridState, workers: &Workers, nodes: &mut [NodeState]) {
+        self.evaluate_some(state, &|_| true, workers, nodes);
+    }
+
+    fn evaluate_some(
+        &mut self,
+        state: &GridState,
+        of: &(dyn Fn(usize) -> bool + Sync),
+        workers: &Workers,
+        nodes: &mut [NodeState],
+    ) {
         let points = state.points();
         let operators = &self.operators;
-        let mut all: Vec<_> = self
-            .nodes
-            .iter_mut()
-            .zip(nodes.chunks_mut(points))
-            .collect();
+        let all = self.nodes.iter_mut().zip(nodes.chunks_mut(points));
+        let some = all.enumerate().filter(|(node, _)| of(*node));
+        let mut all: Vec<_> = some.collect();
         workers.for_work(WORK * points * all.len()).for_each(
             &mut all,
             &mut self.of_threads,
             || (operators.clone(), KinematicsScratch::default()),
-            |(operators, scratch), node, (kinematics, states)| {
-                kinematics.evaluate(operators, state.node(node), scratch);
-                kinematics.write_states(state.node(node), states);
+            |(operators, scratch), _, (node, (kinematics, states))| {
+                kinematics.evaluate(operators, state.node(*node), scratch);
+                kinematics.write_states(state.node(*node), states);
             },
         );
     }

@@ -12,6 +12,7 @@
 //! where `Bᵀ` takes resultants to forces and `L` motions to resultants.
 
 mod assembly;
+mod evaluation;
 mod layout;
 mod like_blades;
 mod like_blades_pattern;
@@ -28,6 +29,7 @@ pub use product::Increment;
 
 use super::division::Share;
 use super::instants::Instants;
+use super::like_blades::AlikeMotions;
 use super::problem::Collocation;
 use super::rule::{RuleWorkspace, TimeRule};
 use super::state::GridState;
@@ -101,6 +103,8 @@ pub struct Tangent {
     points: usize,
     /// Grid points, from the first on, at which each element is evaluated; all if empty.
     wanted: Vec<usize>,
+    /// Whether all grid points are the same.
+    is_constant: bool,
     /// `K`, `C` and `M` of coupling `c` at grid point `k`, at `c N + k`.
     pairs: [Vec<Matrix6<f64>>; 3],
     /// Of each element.
@@ -142,6 +146,9 @@ struct Evaluation<'a> {
     workers: &'a Workers,
     state: &'a GridState,
     wanted: &'a [usize],
+    /// Of one blade of several: how the rest moves.
+    alike: Option<&'a AlikeMotions>,
+    is_constant: bool,
 }
 
 impl Tangent {
@@ -172,6 +179,7 @@ impl Tangent {
             unknowns,
             points,
             wanted: Vec::new(),
+            is_constant: false,
             pairs: Default::default(),
             own: vec![OwnTangent::default(); layout.places.len()],
             strains: vec![StrainTangent::default(); points * layout.strains],
@@ -185,6 +193,11 @@ impl Tangent {
             assembly: Vec::new(),
             layout,
         }
+    }
+
+    /// From now on takes all grid points for the same, which are those of what does not move.
+    pub(crate) fn hold_constant(&mut self) {
+        self.is_constant = true;
     }
 
     /// The rule that velocities and accelerations of products follow.
@@ -358,6 +371,8 @@ impl Tangent {
             workers: &division.workers,
             state,
             wanted: &self.wanted,
+            alike: equations.alike(),
+            is_constant: self.is_constant,
         };
         division.workers.try_for_each(
             &mut all,
@@ -405,72 +420,4 @@ fn at_point<'a>(list: &'a [f64], system: &System, index: usize, k: usize) -> &'a
     let element = &system.elements()[index].element;
     let length = 6 * element.nodes().len() * element.own_unknowns();
     &list[length * k..][..length]
-}
-
-impl TangentLayout {
-    /// Sums the tangents of the couplings of a share's columns; writes those of strains and of own
-    /// unknowns of the elements that have these there.
-    fn evaluate(
-        &self,
-        at: &Evaluation,
-        share: &Share,
-        workspace: &mut Workspace,
-        part: &mut Part,
-    ) -> Result<()> {
-        let first = self.couplings.of_columns(share.nodes.clone()).start;
-        let points = at.state.points();
-        part.forces.fill(0.0);
-        for (&index, own) in share.elements.iter().zip(&mut part.own) {
-            at.workers.pulse()?;
-            let placed = &at.instants.system().elements()[index];
-            let element = &placed.element;
-            let nodes = element.nodes();
-            let has_mass = element.has_mass();
-            let is_elastic = at.rule.is_elastic(has_mass);
-            let has_damping = element.has_damping() && is_elastic;
-            let held = placed.has_states && at.rule.holds_states();
-            if let Some(((_, own), _)) = own {
-                own.gradients.clear();
-                own.effects.clear();
-                own.gradient_rates.clear();
-                own.own.clear();
-            }
-            let wanted = at.wanted.get(index).copied().unwrap_or(points);
-            for k in 0..wanted {
-                let out = at.instants.evaluate(placed, k, at.state, workspace)?;
-                for &((a, b), coupling, begins) in &self.places[index].couplings {
-                    let Some(at) = out.place(a, b) else { continue };
-                    if !share.nodes.contains(&nodes[b]) {
-                        continue;
-                    }
-                    let blocks = [
-                        (&out.stiffness, is_elastic),
-                        (&out.damping, has_damping),
-                        (&out.mass, has_mass),
-                    ];
-                    for (sums, (all, counts)) in part.pairs.iter_mut().zip(blocks) {
-                        let sum = &mut sums[(coupling - first) * points + k];
-                        let block = all.fixed_view::<6, 6>(at.0, at.1);
-                        match (begins, counts) {
-                            (true, true) => sum.copy_from(&block),
-                            (true, false) => sum.fill(0.0),
-                            (false, true) => *sum += block,
-                            (false, false) => {}
-                        }
-                    }
-                }
-                share.add_forces(out, nodes, (k, points), part.forces);
-                let Some(((strains, own), asked)) = own else {
-                    continue;
-                };
-                for (s, strain) in out.strains.iter().enumerate() {
-                    strains[s * points + k] = *strain;
-                }
-                let count = out.constraint.len();
-                asked[count * k..][..count].copy_from_slice(out.constraint.as_slice());
-                own.push(out, placed.has_states, held);
-            }
-        }
-        Ok(())
-    }
 }

@@ -333,7 +333,7 @@ impl<L: LinearSolver> Outer<L> for Whole<'_> {
 }
 
 impl<L: LinearSolver> LinearSolver for Bordered<L> {
-    fn prepare(&self, equations: &Collocation, state: &mut GridState) {
+    fn prepare(&self, equations: &mut Collocation, state: &mut GridState) {
         self.inner.prepare(equations, state);
     }
 

@@ -5,7 +5,7 @@
 //! they are solved for with the whole Jacobian.
 
 use crate::collocation::{
-    Collocation, GridState, LikeBlades, LikeBladesPattern, OneBlade, Tangent,
+    Collocation, GridState, Leaders, LikeBlades, LikeBladesPattern, OneBlade, Tangent,
 };
 use crate::error::Result;
 use crate::solve::linear::cost::DirectCost;
@@ -56,6 +56,7 @@ struct Iteration {
 /// Newton's equations by those that are left.
 pub(crate) struct OfLikeBlades {
     left: LikeBlades,
+    leaders: Arc<Leaders>,
     by: By,
     /// Where the equations were linearised last.
     last: Option<GridState>,
@@ -64,6 +65,8 @@ pub(crate) struct OfLikeBlades {
     whole: Option<Box<dyn LinearSolver>>,
     /// Whether what is left could not be solved, so that all are.
     gave_up: bool,
+    /// Whether blades have turned out to differ, as parameters may make them.
+    differ: bool,
     /// Whether factors may be those of what is held; of the whole then.
     holds: bool,
 }
@@ -94,7 +97,11 @@ impl Factors {
     ) -> Result<bool> {
         timed(&mut timings.assembly, || {
             self.values.resize(self.pattern.entries(), 0.0);
-            self.tangent.evaluate(equations, state)?;
+            // Couplings with followers take their motions, too.
+            let leaders = equations.set_leaders(None);
+            let evaluated = self.tangent.evaluate(equations, state);
+            equations.set_leaders(leaders);
+            evaluated?;
             let pattern = &self.pattern;
             (self.tangent).assemble_like_blades(equations, left, pattern, &mut self.values)
         })?;
@@ -166,7 +173,7 @@ impl OfLikeBlades {
     /// By factors.
     pub(crate) fn by_factors(equations: &Collocation, left: LikeBlades, new_whole: Whole) -> Self {
         let factors = Factors::new(equations, &left);
-        Self::by(By::Factors(Box::new(factors)), left, new_whole)
+        Self::by(By::Factors(Box::new(factors)), equations, left, new_whole)
     }
 
     /// By iteration; none if an element acts on two blades.
@@ -176,21 +183,20 @@ impl OfLikeBlades {
         new_whole: Whole,
     ) -> Option<Self> {
         let iteration = Iteration::new(equations, &left)?;
-        Some(Self::by(
-            By::Iteration(Box::new(iteration)),
-            left,
-            new_whole,
-        ))
+        let by = By::Iteration(Box::new(iteration));
+        Some(Self::by(by, equations, left, new_whole))
     }
 
-    fn by(by: By, left: LikeBlades, new_whole: Whole) -> Self {
+    fn by(by: By, equations: &Collocation, left: LikeBlades, new_whole: Whole) -> Self {
         OfLikeBlades {
+            leaders: Arc::new(Leaders::new(equations.system(), &left)),
             left,
             by,
             last: None,
             new_whole,
             whole: None,
             gave_up: false,
+            differ: false,
             holds: false,
         }
     }
@@ -222,6 +228,7 @@ impl OfLikeBlades {
         let Some(state) = &self.last else {
             return Ok(false);
         };
+        equations.set_leaders(None);
         let whole = match &mut self.whole {
             Some(whole) => whole,
             None => {
@@ -295,9 +302,39 @@ impl OfLikeBlades {
 }
 
 impl LinearSolver for OfLikeBlades {
-    fn prepare(&self, equations: &Collocation, state: &mut GridState) {
-        let scale = equations.column_scale();
-        self.left.make_alike(equations.system(), scale, state);
+    fn prepare(&self, equations: &mut Collocation, state: &mut GridState) {
+        let system = equations.system().clone();
+        self.left
+            .make_alike(&system, equations.column_scale(), state);
+        let gains = system.elements().iter().any(|placed| {
+            let rows = 0..placed.element.own_unknowns();
+            rows.into_iter()
+                .any(|row| state.gain(&system, placed, row) != 0.0)
+        });
+        // Scalars may tell blades apart.
+        let is_plain = equations.layout().scalars().is_empty() && !gains;
+        if is_plain && !self.gave_up && !self.differ {
+            equations.set_leaders(Some(self.leaders.clone()));
+        }
+    }
+
+    fn is_negligible(
+        &mut self,
+        equations: &Collocation,
+        left: &[f64],
+        tolerance: f64,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        let (system, layout) = (equations.system(), equations.layout());
+        let motions = self.left.motions();
+        let mut is_negligible = true;
+        for mut rows in self.left.gathered(system, layout, left) {
+            let known = self.respond(&mut rows, timings)?;
+            // Written so that NaN is not negligible.
+            is_negligible &= known && largest(&rows[..motions]) <= tolerance;
+        }
+        self.differ |= !is_negligible;
+        Ok(is_negligible)
     }
 
     fn linearise(
@@ -325,6 +362,10 @@ impl LinearSolver for OfLikeBlades {
             }
         }
         self.gave_up = true;
+        // Stress resultants may be those of what leads alone.
+        if equations.set_leaders(None).is_some() {
+            equations.set_resultants(Vec::new());
+        }
         let mut whole = (self.new_whole)(equations);
         whole.set_holds(self.holds);
         let done = whole.linearise(equations, state, timings)?;

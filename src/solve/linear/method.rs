@@ -11,36 +11,11 @@ use crate::solve::linear::freedoms::FreedomSolver;
 use crate::solve::linear::front::Held;
 use crate::solve::linear::iterative::{Iterative, IterativeRecord, Preconditioner};
 use crate::solve::linear::like_blades::{OfLikeBlades, Whole};
+pub use crate::solve::linear::plan::LinearMethod;
+use crate::solve::linear::plan::{Choice, DELAYED, LARGE, Plan, SMALL};
 use crate::solve::linear::slender::SLENDER;
 use crate::solve::linear::solver::{ESTIMATE, LinearSolver};
 use crate::solve::report::{Timings, timed};
-use crate::work::PRODUCT;
-
-/// How linear equations are solved.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum LinearMethod {
-    /// Directly where that is cheap, by iteration otherwise.
-    #[default]
-    Automatic,
-    /// By factors of the whole Jacobian.
-    Direct,
-    /// By iteration, with the preconditioner that suits, or with this one.
-    Iterative(Option<Preconditioner>),
-}
-
-/// Factors that take more than this, in bytes, are avoided.
-const LARGE: f64 = 1.5e9;
-/// Factors that take more than this are not tried, even where iteration fails.
-const TOO_LARGE: f64 = 6e9;
-/// Multiply-adds that take as long as a value of the Jacobian does to be assembled.
-const VALUE: f64 = 50.0;
-/// The same of few freedoms, all in all: a few seconds. Turning joints have as many in the dense
-/// system that iteration solves.
-const AFFORDABLE_FREEDOMS: f64 = 1e10;
-/// Factors with pivots that wait take more than was planned, by so much.
-const DELAYED: f64 = 1.2;
-/// So few numbers are not worth the trouble.
-const SMALL: f64 = 1500.0;
 
 enum Active {
     Direct(Box<Assembled>),
@@ -85,77 +60,7 @@ pub(crate) struct Linear {
     given_up: Option<IterativeRecord>,
 }
 
-/// Which solver it is to be.
-enum Choice {
-    /// Factors of the whole Jacobian, or of few freedoms.
-    Direct,
-    /// Factors of what is left of one blade.
-    LikeBlades(Box<OfLikeBlades>),
-    /// Iteration alone.
-    Iterative(Option<Preconditioner>),
-    /// Iteration, which gives up for factors of so many multiply-adds.
-    IterativeFirst { work: f64, products: usize },
-}
-
-/// What is going to solve some equations.
-pub(crate) struct Plan {
-    choice: Choice,
-    method: LinearMethod,
-    falls_back: bool,
-    most_products: usize,
-    /// Bytes of it, at most about; of iteration without a system of joints that turn.
-    pub bytes: f64,
-}
-
 impl Plan {
-    /// For `equations`, as `method` says, with at most so many bytes where it says nothing.
-    pub fn of(equations: &Collocation, method: LinearMethod, most_bytes: f64) -> Self {
-        let (system, points) = (equations.system(), equations.grid().points());
-        let mut falls_back = false;
-        let mut most_products = usize::MAX;
-        let cost = DirectCost::of(system, points);
-        let choice = match method {
-            LinearMethod::Direct => Choice::Direct,
-            LinearMethod::Iterative(preconditioner) => Choice::Iterative(preconditioner),
-            LinearMethod::Automatic => {
-                let (large, too_large) = (LARGE.min(most_bytes), TOO_LARGE.min(most_bytes));
-                falls_back = cost.bytes < too_large;
-                let numbers = equations.layout().motions().len() as f64;
-                let products = (cost.work / (PRODUCT * numbers)) as usize;
-                let with_assembly = cost.work + VALUE * cost.values();
-                most_products = (with_assembly / (PRODUCT * numbers)) as usize;
-                let cheap = numbers < SMALL || cost.work < AFFORDABLE * numbers;
-                let few_freedoms = || {
-                    let work = FreedomSolver::work(equations);
-                    work.is_some_and(|work| work < AFFORDABLE_FREEDOMS)
-                };
-                if cost.bytes < large && cheap || falls_back && few_freedoms() {
-                    Choice::Direct
-                } else if falls_back {
-                    Choice::IterativeFirst {
-                        work: cost.work,
-                        products,
-                    }
-                } else {
-                    Choice::Iterative(None)
-                }
-            }
-        };
-        let bytes = match choice {
-            Choice::Direct => tangent_bytes(system, points) + DELAYED * cost.bytes,
-            Choice::LikeBlades(_) | Choice::Iterative(_) | Choice::IterativeFirst { .. } => {
-                iteration_bytes(system, points, cost)
-            }
-        };
-        Plan {
-            choice,
-            method,
-            falls_back,
-            most_products,
-            bytes,
-        }
-    }
-
     /// The same, by what is left of one blade where all are alike and that costs less.
     pub fn of_symmetric(equations: &Collocation, method: LinearMethod, most_bytes: f64) -> Self {
         let plan = Self::of(equations, method, most_bytes);
@@ -356,8 +261,19 @@ impl Linear {
 }
 
 impl LinearSolver for Linear {
-    fn prepare(&self, equations: &Collocation, state: &mut GridState) {
+    fn prepare(&self, equations: &mut Collocation, state: &mut GridState) {
         self.active.solver().prepare(equations, state);
+    }
+
+    fn is_negligible(
+        &mut self,
+        equations: &Collocation,
+        left: &[f64],
+        tolerance: f64,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        let solver = self.active.solver_mut();
+        solver.is_negligible(equations, left, tolerance, timings)
     }
 
     fn linearise(

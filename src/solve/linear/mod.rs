@@ -36,5 +36,6 @@ pub(crate) mod like_blades;
 pub(crate) mod method;
 mod ordering;
 mod partial_lu;
+pub(crate) mod plan;
 mod slender;
 pub(crate) mod solver;

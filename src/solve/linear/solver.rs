@@ -17,7 +17,23 @@ pub(crate) const ESTIMATE: f64 = 1e-2;
 /// Solver of the linearised equations.
 pub(crate) trait LinearSolver {
     /// Makes a state one that a solve can begin at.
-    fn prepare(&self, _: &Collocation, _: &mut GridState) {}
+    fn prepare(&self, _: &mut Collocation, _: &mut GridState) {}
+
+    /// Whether what is left of the equations at a solution, and was not looked at when that was
+    /// found, moves nothing by more than `tolerance`. Where it does, the linear equations are from
+    /// now on solved with regard to all of it.
+    ///
+    /// # Errors
+    /// If memory runs out.
+    fn is_negligible(
+        &mut self,
+        _: &Collocation,
+        _: &[f64],
+        _: f64,
+        _: &mut Timings,
+    ) -> Result<bool> {
+        Ok(true)
+    }
 
     /// Linearises the equations at `state`. `false` if they are singular.
     ///

@@ -12,7 +12,7 @@ mod scalars;
 mod verdict;
 mod watchdog;
 
-use crate::collocation::{Collocation, GridState, TimeRule};
+use crate::collocation::{Collocation, GridState, Leaders, TimeRule};
 use crate::error::Result;
 use crate::fourier::TimeGrid;
 use crate::memory;
@@ -81,6 +81,11 @@ pub(crate) struct Newton<L = Assembled> {
     pub chords: i32,
     /// Whether the Jacobian is taken to be regular where a solve begins, as next to where it was.
     pub trusts: bool,
+    /// What is to be looked at of the last solution, where blades are alike.
+    pub alike: Option<Arc<Leaders>>,
+    /// Whether solutions only lead to others: where blades are alike, the others than one are not
+    /// looked at then.
+    pub is_on_the_way: bool,
     /// Short steps after which it is given up, if there are other ways.
     pub patience: Option<usize>,
     /// Iterations since this object was made.
@@ -153,6 +158,8 @@ impl<L: LinearSolver> Newton<L> {
         Newton {
             linear,
             contraction: None,
+            alike: None,
+            is_on_the_way: false,
             patience: None,
             trusts: false,
             chords: chord::STEPS,
@@ -242,12 +249,24 @@ impl<L: LinearSolver> Newton<L> {
         observe: &mut dyn FnMut(&Iteration) -> bool,
     ) -> Result<(NewtonReport, Vec<Vector6<f64>>)> {
         let mut iterations = Vec::new();
-        self.linear.prepare(&self.equations, state);
+        self.linear.prepare(&mut self.equations, state);
         let workers = self.equations.workers().clone();
         let was_bounded = workers.work().bound(true);
         let mut run = Run::new(self, state, options, &mut iterations, observe);
         run.approach(waypoint);
-        let end = run.iterate();
+        let mut end = run.iterate();
+        self.alike = self.equations.set_leaders(None);
+        let is_whole = self.alike.is_none() || self.is_on_the_way;
+        if !is_whole
+            && end
+                .as_ref()
+                .is_ok_and(|end| end.outcome == Outcome::Converged)
+        {
+            let mut run = Run::new(self, state, options, &mut iterations, observe);
+            end = run
+                .complete()
+                .map(|ending| ending.unwrap_or(Ending::plain(Outcome::Converged)));
+        }
         let resultants = self.equations.take_resultants();
         let is_spent = workers.work().is_spent();
         workers.work().bound(was_bounded);

@@ -1,12 +1,13 @@
 //! Newton's method for the periodic motion on one grid after the other.
 
 use super::Newton;
-use crate::collocation::{Collocation, GridState};
+use crate::collocation::{Collocation, GridState, Leaders};
 use crate::error::{ErrorKind, Result};
 use crate::fourier::{Resampling, TimeGrid};
 use crate::solve::linear::cost::easy_iteration;
 use crate::solve::linear::iterative::Projected;
-use crate::solve::linear::method::{Linear, LinearMethod, Plan};
+use crate::solve::linear::method::{Linear, LinearMethod};
+use crate::solve::linear::plan::Plan;
 use crate::solve::memory::{MemoryLimit, of_grid};
 use crate::solve::report::{Iteration, NewtonOptions, NewtonReport, Outcome, Timings};
 use crate::solve::watch::{Stage, Watching};
@@ -233,12 +234,15 @@ impl<'a> OnGrid<'a> {
         self.means
             .memory
             .require_grid(&self.system, grid.points())?;
+        let alike = self.newton.alike.clone();
         let equations = &mut self.newton.equations;
         equations.update_kinematics(state);
-        let resultants = equations.resampled_resultants(Resampling::between(from, 0.0, grid))?;
+        let resampling = Resampling::between(from, 0.0, grid);
+        let resultants = equations.resampled_resultants(resampling, alike.as_deref())?;
         self.start_time += began.elapsed();
         self.move_to(grid)?;
-        let start = self.carried(state, from)?;
+        let leaders = alike.and_then(|_| Leaders::on(&self.system, grid));
+        let start = self.resampled_alike(state, from, (grid, leaders.as_ref()))?;
         if start.is_some() {
             self.newton.equations.set_resultants(resultants);
         }
@@ -258,11 +262,25 @@ impl<'a> OnGrid<'a> {
         from: TimeGrid,
         to: TimeGrid,
     ) -> Result<Option<GridState>> {
+        self.resampled_alike(state, from, (to, None))
+    }
+
+    /// The same of a state in which blades move alike, from what leads on the other grid.
+    fn resampled_alike(
+        &mut self,
+        state: &GridState,
+        from: TimeGrid,
+        (to, leaders): (TimeGrid, Option<&Leaders>),
+    ) -> Result<Option<GridState>> {
         if from == to {
             return Ok(Some(state.clone()));
         }
         let began = Instant::now();
-        let carried = state.resampled(&self.system, from, 0.0, to, &self.means.workers);
+        let (system, workers) = (&self.system, &self.means.workers);
+        let carried = match leaders {
+            Some(leaders) => state.resampled_alike(system, from, (to, leaders), workers),
+            None => state.resampled(system, from, 0.0, to, workers),
+        };
         self.start_time += began.elapsed();
         match carried {
             Ok(state) => Ok(Some(state)),

@@ -131,6 +131,31 @@ impl<'a, L: LinearSolver> Run<'a, L> {
         Ok(self.left().exhausted())
     }
 
+    /// Goes on from a solution of equations of which all that blades share was found from one of
+    /// them, if others are left; none if they are not.
+    pub fn complete(&mut self) -> Result<Option<Ending>> {
+        let Newton {
+            equations,
+            linear,
+            timings,
+            alike,
+            ..
+        } = &mut *self.newton;
+        let Some(leaders) = alike else {
+            return Ok(None);
+        };
+        timed(&mut timings.assembly, || {
+            equations.residual(self.state, &mut self.residual)
+        })?;
+        equations.unlike(leaders, &self.residual, &mut self.increment);
+        let tolerance = self.options.tolerance;
+        if linear.is_negligible(equations, &self.increment, tolerance, timings)? {
+            return Ok(None);
+        }
+        *alike = None;
+        self.iterate().map(Some)
+    }
+
     /// Linearises, takes a step, and those with the same matrix after it.
     fn advance(&mut self) -> Result<ControlFlow<Ending>> {
         self.newton.equations.workers().pulse()?;

@@ -10,7 +10,8 @@ use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
 use crate::solve::conditions::{Condition, Conditioned, Free};
-use crate::solve::linear::method::{Linear, Plan};
+use crate::solve::linear::method::Linear;
+use crate::solve::linear::plan::Plan;
 use crate::solve::newton::Newton;
 use crate::solve::report::{Iteration, NewtonReport, Outcome, Timings};
 use crate::solve::result::{GridTried, Kind, PeriodicRecord, Solved};
@@ -214,7 +215,7 @@ impl ConditionedSolve<'_> {
             ..
         } = &self.found;
         let loads = Loads::of(system, adaptation.largest)?;
-        let (found, _) = assess(system, *grid, state, &self.workers)?;
+        let (found, _) = assess(system, *grid, (state, None), &self.workers)?;
         let points = grid.points();
         self.grids.push(GridTried {
             points,

@@ -3,7 +3,7 @@
 
 use super::Periodic;
 use super::waves::{LeftOut, Waves};
-use crate::collocation::{Decay, DecayKind, Defect, GridState, ResidualBetween};
+use crate::collocation::{Decay, DecayKind, Defect, GridState, Leaders, ResidualBetween};
 use crate::error::{ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
@@ -23,18 +23,19 @@ const FAR: f64 = 10.0;
 /// Residuals so small are rounding.
 const BALANCED: f64 = 1e-9;
 
-/// Assesses a solution on a grid by its harmonics and constraints alone.
+/// Assesses a solution on a grid by its harmonics and constraints alone; from those of what leads,
+/// if blades move alike in it.
 ///
 /// # Errors
 /// That of a callback.
 pub(crate) fn assess(
     system: &System,
     grid: TimeGrid,
-    state: &GridState,
+    (state, leaders): (&GridState, Option<&Leaders>),
     workers: &Workers,
 ) -> Result<(Assessment, Option<Defect>)> {
     let decay = Decay::of(system, grid, state);
-    let defect = match Defect::of(system, grid, state, workers) {
+    let defect = match Defect::of(system, grid, (state, leaders), workers) {
         Ok(defect) => Some(defect),
         // What cannot be interpolated, or is distorted between points, is no failure of the call.
         Err(e) if matches!(e.kind(), ErrorKind::GridTooCoarse | ErrorKind::Model) => None,
@@ -137,9 +138,11 @@ impl Periodic<'_> {
             self.on.newton.equations.reduce_to_least_norm(state)?;
         }
         let (system, workers) = (self.on.system.clone(), self.on.means.workers.clone());
-        let (mut found, defect) = assess(&system, self.on.grid, state, &workers)?;
+        let alike = self.on.newton.alike.clone();
+        let of = (&*state, alike.as_deref());
+        let (mut found, defect) = assess(&system, self.on.grid, of, &workers)?;
         if let (Some(mut defect), true) = (defect, sampled && self.on.grid.points() > 1) {
-            defect.carry_resultants(&mut self.on.newton.equations)?;
+            defect.carry_resultants(&mut self.on.newton.equations, alike.as_deref())?;
             let mut aliased = defect.aliased(&self.on.newton.equations);
             let aliased = self.on.newton.response(&mut aliased)?;
             let mut waves = Waves::new(&self.on.newton.equations, state)?;
@@ -249,7 +252,7 @@ impl Solved {
                 let threads = record.map_or(1, |record| record.threads);
                 // Without more threads than one it takes longer: no reason to lose the solution.
                 let workers = Workers::new(threads).unwrap_or_default();
-                assess(&self.system, self.grid, &self.state, &workers)?.0
+                assess(&self.system, self.grid, (&self.state, None), &workers)?.0
             }
         };
         let last = record.and_then(|record| record.grids.last());

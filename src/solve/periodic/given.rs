@@ -166,7 +166,9 @@ impl Periodic<'_> {
             tolerance: on.means.newton.tolerance.max(ENOUGH),
             iteration_limit: most,
         };
+        on.newton.is_on_the_way = true;
         let (state, report) = on.solve_to(start, &enough)?;
+        on.newton.is_on_the_way = false;
         match report.outcome {
             Outcome::Converged => {}
             Outcome::Cancelled => return Ok(Some((state, report))),
@@ -175,7 +177,8 @@ impl Periodic<'_> {
         // As a start it is as good as its harmonics fall: stretching between points, which is a
         // part of the error, is taken out by the stress resultants that are carried.
         let began = Instant::now();
-        let (found, _) = assess(&on.system, on.grid, &state, &on.means.workers)?;
+        let alike = on.newton.alike.as_deref();
+        let (found, _) = assess(&on.system, on.grid, (&state, alike), &on.means.workers)?;
         on.timings.estimates += began.elapsed();
         if found.error >= RESOLVED.max(NEARER * distance) {
             return Ok(None);

@@ -57,8 +57,10 @@ impl<'a> Waves<'a> {
         if equations.is_regularised() {
             wave.regularise();
         }
+        let mut newton = Newton::new(wave);
+        newton.linear.tangent.hold_constant();
         Ok(Waves {
-            newton: Newton::new(wave),
+            newton,
             grid: equations.grid(),
             state,
         })

@@ -361,7 +361,21 @@ pub(crate) fn inertial_displacement(
     let mut at = GridState::at_points(system, 1);
     let mut most = 0.0f64;
     let parts = LOOKED_AT.map(|part| (part * count as f64) as usize);
-    for k in parts.into_iter().chain([most_bent(system, state)]) {
+    // Like blades do at one time what others do at other times.
+    let blades = system.symmetry().map_or(1, |symmetry| symmetry.blades);
+    let shared = if count.is_multiple_of(blades) {
+        count / blades
+    } else {
+        count
+    };
+    let mut places: Vec<usize> = parts
+        .into_iter()
+        .chain([most_bent(system, state)])
+        .collect();
+    places.iter_mut().for_each(|k| *k %= shared);
+    places.sort_unstable();
+    places.dedup();
+    for k in places {
         newton
             .equations
             .set_conditions(Conditions::at(grid.time(k)))?;

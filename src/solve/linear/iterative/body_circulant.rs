@@ -111,7 +111,7 @@ impl BodyCirculant {
         (bounds, transposed): (Bounds, bool),
     ) -> Result<Option<Self>> {
         let layout = Layout::new(equations, tangent, classes, kept_alone);
-        if layout.largest_block() > LARGEST_BLOCK || tears_blades(equations, classes) {
+        if layout.largest_block() > LARGEST_BLOCK {
             return Ok(None);
         }
         let kept: Vec<usize> = layout.kept().collect();
@@ -414,21 +414,6 @@ fn spectra_of(layout: &Layout, harmonics: usize) -> Vec<usize> {
         spectrum_at[unknown] = i * harmonics;
     }
     spectrum_at
-}
-
-/// Whether a joint that turns ties a blade to hub or supports, which may only move alike: its
-/// forces are of all harmonics, those that they may not follow, too.
-fn tears_blades(equations: &Collocation, classes: &[Class]) -> bool {
-    let Some(alike) = equations.alike() else {
-        return false;
-    };
-    let elements = classes.iter().zip(equations.system().elements());
-    let mut exact = elements.filter(|(class, _)| matches!(class, Class::Exact(_)));
-    exact.any(|(_, placed)| {
-        let is_free = |&node: &usize| alike.of_node(node).is_none();
-        let nodes = placed.element.nodes();
-        nodes.iter().any(is_free) && !nodes.iter().all(is_free)
-    })
 }
 
 /// Writes harmonics to the lanes of an unknown.

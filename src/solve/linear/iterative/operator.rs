@@ -41,7 +41,9 @@ impl Preconditioned for Operator<'_> {
     fn precondition(&mut self, y: &mut [f64]) {
         let size = self.equations.size();
         let Some((borders, eliminated)) = self.borders else {
-            return self.factors.apply(y, size);
+            self.factors.apply(y, size);
+            self.equations.project(y);
+            return;
         };
         let end = y.len() - borders.count();
         self.factors.apply(&mut y[..end], size);

@@ -53,8 +53,19 @@ impl<L: LinearSolver> Projected<L> {
 }
 
 impl<L: LinearSolver> LinearSolver for Projected<L> {
-    fn prepare(&self, equations: &Collocation, state: &mut GridState) {
+    fn prepare(&self, equations: &mut Collocation, state: &mut GridState) {
         self.sampled.prepare(equations, state);
+    }
+
+    fn is_negligible(
+        &mut self,
+        equations: &Collocation,
+        left: &[f64],
+        tolerance: f64,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        self.sampled
+            .is_negligible(equations, left, tolerance, timings)
     }
 
     fn linearise(
