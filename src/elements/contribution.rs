@@ -1,7 +1,6 @@
-//! What an element contributes to the equations: forces, constraints and tangents, and scratch.
+//! What an element contributes to the equations: forces, constraints and tangents.
 
-use super::{Element, StrainTangent, beam, controller, distributed_load};
-use super::{shell, surface_force, user_force};
+use super::{Element, Scratch, StrainTangent};
 use nalgebra::{DMatrix, DVector, Matrix6, Vector6};
 
 /// What a contribution's size depends on.
@@ -59,13 +58,7 @@ pub struct Contribution {
     pub with_resultants_apart: bool,
     /// Of each station with [`StressLaw`](super::StressLaw), for each node, if wanted apart.
     pub strains: Vec<StrainTangent>,
-    // Scratch of each kind that needs some.
-    pub(super) beam: beam::Scratch,
-    pub(super) shell: shell::Scratch,
-    pub(super) load: distributed_load::Scratch,
-    pub(super) user_force: user_force::Scratch,
-    pub(super) surface_force: surface_force::Scratch,
-    pub(super) controller: controller::Scratch,
+    pub(super) scratch: Scratch,
 }
 
 impl Contribution {
@@ -86,12 +79,7 @@ impl Contribution {
             own_rate: DMatrix::zeros(multipliers, multipliers),
             with_resultants_apart: false,
             strains: Vec::new(),
-            beam: beam::Scratch::default(),
-            shell: shell::Scratch::default(),
-            load: distributed_load::Scratch::default(),
-            user_force: user_force::Scratch::default(),
-            controller: controller::Scratch::default(),
-            surface_force: surface_force::Scratch::default(),
+            scratch: Scratch::default(),
         }
     }
 

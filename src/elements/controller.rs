@@ -449,9 +449,9 @@ impl Element for Controller {
 
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
         // Taken out while `out` is written to.
-        let mut scratch = std::mem::take(&mut out.controller);
+        let mut scratch = std::mem::take(&mut out.scratch.controller);
         let result = self.add(instant, &mut scratch, out);
-        out.controller = scratch;
+        out.scratch.controller = scratch;
         result
     }
 

@@ -403,9 +403,9 @@ impl Element for DistributedLoad {
 
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
         // Taken out while `out` is written to.
-        let mut scratch = std::mem::take(&mut out.load);
+        let mut scratch = std::mem::take(&mut out.scratch.load);
         let result = self.add_to(instant, &mut scratch, out);
-        out.load = scratch;
+        out.scratch.load = scratch;
         result
     }
 }

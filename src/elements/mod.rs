@@ -79,6 +79,16 @@ pub use crate::motion::NodeState;
 
 use crate::motion::DualMatrix;
 use nalgebra::{Matrix6, Vector3, Vector6};
+/// What elements of each kind that need it work with.
+#[derive(Debug, Clone, Default)]
+struct Scratch {
+    beam: beam::Scratch,
+    shell: shell::Scratch,
+    load: distributed_load::Scratch,
+    user_force: user_force::Scratch,
+    surface_force: surface_force::Scratch,
+    controller: controller::Scratch,
+}
 
 /// What an element sees of the system at one instant.
 #[derive(Debug, Clone, Copy)]

@@ -355,9 +355,9 @@ impl Element for SurfaceForce {
 
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
         // Taken out while `out` is written to.
-        let mut scratch = std::mem::take(&mut out.surface_force);
+        let mut scratch = std::mem::take(&mut out.scratch.surface_force);
         let result = self.add_forces(instant, &mut scratch, out);
-        out.surface_force = scratch;
+        out.scratch.surface_force = scratch;
         result
     }
 }

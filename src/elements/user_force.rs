@@ -378,9 +378,9 @@ impl Element for UserForce {
 
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
         // Taken out while `out` is written to.
-        let mut scratch = std::mem::take(&mut out.user_force);
+        let mut scratch = std::mem::take(&mut out.scratch.user_force);
         let result = self.add_forces(instant, &mut scratch, out);
-        out.user_force = scratch;
+        out.scratch.user_force = scratch;
         result
     }
 }

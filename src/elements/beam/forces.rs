@@ -89,14 +89,14 @@ impl Element for Beam {
         scratch: &mut Contribution,
         out: &mut [Vector6<f64>],
     ) -> Result<()> {
-        let scratch = &mut scratch.beam;
+        let scratch = &mut scratch.scratch.beam;
         self.find_strains(nodes, scratch)?;
         self.write_resultants(scratch, out);
         Ok(())
     }
 
     fn potential(&self, instant: &Instant, scratch: &mut Contribution) -> Result<Option<f64>> {
-        let scratch = &mut scratch.beam;
+        let scratch = &mut scratch.scratch.beam;
         self.find_strains(instant.nodes, scratch)?;
         scratch.rates.fill(Vector6::zeros());
         let of_station = |(i, station): (usize, &Station)| {
@@ -114,7 +114,7 @@ impl Element for Beam {
         scratch: &mut Contribution,
         out: &mut [Vector6<f64>],
     ) -> Result<()> {
-        let scratch = &mut scratch.beam;
+        let scratch = &mut scratch.scratch.beam;
         scratch.begin(nodes);
         let rates_vary = self.damping(nodes).rates_vary;
         for station in &self.stations {
@@ -140,26 +140,26 @@ impl Element for Beam {
         resultants: &[Vector6<f64>],
         out: &mut Contribution,
     ) -> Result<()> {
-        let mut scratch = std::mem::take(&mut out.beam);
+        let mut scratch = std::mem::take(&mut out.scratch.beam);
         scratch.begin(nodes);
         for (station, resultants) in self.stations.iter().zip(resultants) {
             scratch.forget_station();
             let at = scratch.add_places(station)?;
             add_forces(&at, &scratch.places, &(resultants * station.weight), out);
         }
-        out.beam = scratch;
+        out.scratch.beam = scratch;
         Ok(())
     }
 
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
         // Taken out while `out` is written to.
-        let mut scratch = std::mem::take(&mut out.beam);
+        let mut scratch = std::mem::take(&mut out.scratch.beam);
         scratch.begin(instant.nodes);
         let result = match &self.law {
             Some(law) => self.add_coupled(law, instant, &mut scratch, out),
             None => self.add_stations(instant, &mut scratch, out),
         };
-        out.beam = scratch;
+        out.scratch.beam = scratch;
         result
     }
 }

@@ -53,7 +53,7 @@ impl Element for Shell {
         scratch: &mut Contribution,
         out: &mut [Vector6<f64>],
     ) -> Result<()> {
-        let scratch = &mut scratch.shell;
+        let scratch = &mut scratch.scratch.shell;
         self.find_strains(nodes, scratch)?;
         self.write_resultants(&scratch.at_points, out);
         Ok(())
@@ -66,7 +66,7 @@ impl Element for Shell {
         scratch: &mut Contribution,
         out: &mut [Vector6<f64>],
     ) -> Result<()> {
-        let scratch = &mut scratch.shell;
+        let scratch = &mut scratch.scratch.shell;
         self.find_strains(nodes, scratch)?;
         let damping = self.damping(nodes);
         for sample in 0..self.samples.len() {
@@ -97,18 +97,18 @@ impl Element for Shell {
         resultants: &[Vector6<f64>],
         out: &mut Contribution,
     ) -> Result<()> {
-        let mut scratch = std::mem::take(&mut out.shell);
+        let mut scratch = std::mem::take(&mut out.scratch.shell);
         let found = self.find_strains(nodes, &mut scratch);
         if found.is_ok() {
             self.collect(resultants, &mut scratch.at_samples[0]);
             self.add_forces(&mut scratch, out);
         }
-        out.shell = scratch;
+        out.scratch.shell = scratch;
         found
     }
 
     fn potential(&self, instant: &Instant, scratch: &mut Contribution) -> Result<Option<f64>> {
-        let scratch = &mut scratch.shell;
+        let scratch = &mut scratch.scratch.shell;
         self.find_strains(instant.nodes, scratch)?;
         scratch.at_points[1].fill(Vector6::zeros());
         let mut resultants = std::mem::take(&mut scratch.resultants);
@@ -128,12 +128,12 @@ impl Element for Shell {
 
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
         // Taken out while `out` is written to.
-        let mut scratch = std::mem::take(&mut out.shell);
+        let mut scratch = std::mem::take(&mut out.scratch.shell);
         let found = self.find_strains(instant.nodes, &mut scratch);
         if found.is_ok() {
             self.add_to(instant, &mut scratch, out);
         }
-        out.shell = scratch;
+        out.scratch.shell = scratch;
         found
     }
 }
