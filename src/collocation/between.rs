@@ -207,7 +207,7 @@ impl Defect {
     ) -> Result<Self> {
         let points = grid.points();
         let resampling = Resampling::new(grid, PART / points as f64, points);
-        let nodes = ResampledNodes::alike(system, &resampling, (state, leaders), workers)?;
+        let nodes = ResampledNodes::new(system, &resampling, (state, leaders), workers)?;
         let unknowns = state.resampled_own(system, &resampling);
         let times: Vec<f64> = (0..points).map(|k| grid.at(resampling.pseudo(k))).collect();
         let time = |k: usize| times[k];

@@ -75,25 +75,12 @@ fn slopes(resampling: &Resampling) -> Vec<Slope> {
 }
 
 impl ResampledNodes {
-    /// The nodes of `state` where `resampling` goes from its grid.
+    /// The nodes of `state` where `resampling` goes from its grid; if blades move alike, at as many
+    /// times equally far from each other, from the nodes that lead.
     ///
     /// # Errors
     /// [`crate::error::ErrorKind::GridTooCoarse`] if a motion cannot be interpolated.
-    pub fn new(
-        system: &System,
-        resampling: &Resampling,
-        state: &GridState,
-        workers: &Workers,
-    ) -> Result<Self> {
-        Self::alike(system, resampling, (state, None), workers)
-    }
-
-    /// The same of a state in which blades move alike, at as many times equally far from each
-    /// other: from the nodes that lead.
-    ///
-    /// # Errors
-    /// As there.
-    pub(super) fn alike(
+    pub(super) fn new(
         system: &System,
         resampling: &Resampling,
         (state, leaders): (&GridState, Option<&Leaders>),
@@ -133,27 +120,24 @@ impl GridState {
         workers: &Workers,
     ) -> Result<GridState> {
         let resampling = Resampling::between(grid, start, other);
-        let nodes = ResampledNodes::new(system, &resampling, self, workers)?;
-        let own = self.resampled_own(system, &resampling);
-        Ok(self.made_of(system, &resampling, (&nodes, &own), other))
+        self.resampled_alike(system, &resampling, (other, None), workers)
     }
 
-    /// The same of a state in which blades move alike, from the first points of both grids on, from
-    /// what leads on the other one.
+    /// The same where `resampling` goes from its grid; if blades move alike, from what leads on the
+    /// other grid, the first points of both being the same.
     ///
     /// # Errors
     /// As there.
     pub(crate) fn resampled_alike(
         &self,
         system: &System,
-        grid: TimeGrid,
-        (other, leaders): (TimeGrid, &Leaders),
+        resampling: &Resampling,
+        (other, leaders): (TimeGrid, Option<&Leaders>),
         workers: &Workers,
     ) -> Result<GridState> {
-        let resampling = Resampling::between(grid, 0.0, other);
-        let nodes = ResampledNodes::alike(system, &resampling, (self, Some(leaders)), workers)?;
-        let own = self.resampled_own(system, &resampling);
-        Ok(self.made_of(system, &resampling, (&nodes, &own), other))
+        let nodes = ResampledNodes::new(system, resampling, (self, leaders), workers)?;
+        let own = self.resampled_own(system, resampling);
+        Ok(self.made_of(system, resampling, (&nodes, &own), other))
     }
 
     /// The same, of what was resampled.

@@ -42,7 +42,7 @@ impl Stages {
         let stage = |place: f64| {
             let start = place / count as f64;
             let resampling = Resampling::between(grid, start, steps);
-            let nodes = ResampledNodes::new(system, &resampling, state, workers)?;
+            let nodes = ResampledNodes::new(system, &resampling, (state, None), workers)?;
             let own = state.resampled_own(system, &resampling);
             Ok(Stage {
                 state: state.made_of(system, &resampling, (&nodes, &own), steps),

@@ -256,12 +256,9 @@ impl<L: LinearSolver> Newton<L> {
         run.approach(waypoint);
         let mut end = run.iterate();
         self.alike = self.equations.set_leaders(None);
-        let is_whole = self.alike.is_none() || self.is_on_the_way;
-        if !is_whole
-            && end
-                .as_ref()
-                .is_ok_and(|end| end.outcome == Outcome::Converged)
-        {
+        let looks_at_all = self.alike.is_some() && !self.is_on_the_way;
+        let converged = |end: &Ending| end.outcome == Outcome::Converged;
+        if looks_at_all && end.as_ref().is_ok_and(converged) {
             let mut run = Run::new(self, state, options, &mut iterations, observe);
             end = run
                 .complete()

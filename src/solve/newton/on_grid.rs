@@ -277,10 +277,8 @@ impl<'a> OnGrid<'a> {
         }
         let began = Instant::now();
         let (system, workers) = (&self.system, &self.means.workers);
-        let carried = match leaders {
-            Some(leaders) => state.resampled_alike(system, from, (to, leaders), workers),
-            None => state.resampled(system, from, 0.0, to, workers),
-        };
+        let resampling = Resampling::between(from, 0.0, to);
+        let carried = state.resampled_alike(system, &resampling, (to, leaders), workers);
         self.start_time += began.elapsed();
         match carried {
             Ok(state) => Ok(Some(state)),
