@@ -43,13 +43,14 @@ fn solve(model: &Model, period: f64, options: &PeriodicOptions) -> (Duration, So
 }
 
 /// Times faster by one blade.
-fn compare(kind: &RotorKind, options: &PeriodicOptions) -> f64 {
+fn compare(kind: &RotorKind, options: &[PeriodicOptions; 2]) -> f64 {
     let rotor = bladed_rotor(kind);
     let models = [rotor.model.clone(), rotor.symmetric()];
     let mut times = [Vec::new(), Vec::new()];
     let mut solutions = [None, None];
     for _ in 0..REPETITIONS {
-        for ((model, times), last) in models.iter().zip(&mut times).zip(&mut solutions) {
+        let both = models.iter().zip(options).zip(&mut times);
+        for (((model, options), times), last) in both.zip(&mut solutions) {
             let (time, solution) = solve(model, rotor.period, options);
             times.push(time);
             *last = Some(solution);
@@ -89,10 +90,14 @@ fn main() {
     println!(
         "blades × elements, N all one, all [ms] one [ms] ratio, all [MB] one [MB], difference"
     );
-    for blades in [5, 3] {
+    for blades in [5, 4, 3] {
         let options = match var("ADAPTIVE").is_ok() {
-            true => PeriodicOptions::default(),
-            false => PeriodicOptions::with_grid_points(blades * ((POINTS / blades) | 1)),
+            true => [(); 2].map(|()| PeriodicOptions::default()),
+            false => {
+                let shared = blades * ((POINTS / blades) | (blades % 2));
+                // The whole takes an odd number.
+                [shared | 1, shared].map(PeriodicOptions::with_grid_points)
+            }
         };
         let ratios = (0..rotors.unwrap_or(8)).map(|i| compare(&drawn(blades, i), &options));
         let mut ratios: Vec<f64> = ratios.collect();

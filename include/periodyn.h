@@ -2336,7 +2336,8 @@ typedef struct pdn_periodic_options {
      */
     size_t struct_size;
     /**
-     * Number N of grid points, odd: harmonics up to (N - 1) / 2 are resolved. 0 for as many as
+     * Number N of grid points, odd, or a multiple of the number of like blades
+     * (pdn_model_set_rotor_symmetry): harmonics below N / 2 are resolved. 0 for as many as
      * error_tolerance needs. Default 0.
      */
     size_t grid_points;
@@ -4836,11 +4837,11 @@ pdn_status pdn_model_turning_frame(const struct pdn_model *model,
  * is mapped, equations are oversampled, controllers act or beams are very slender, and only by
  * factors where blades act on each other. Loads and conditions that parameters make different at
  * the blades are solved for in whole. Nothing else takes notice: statics, modes, marches, branches
- * and stability are those of the whole model. Six blades are three pairs, each given as one.
+ * and stability are those of the whole model.
  *
  * @param model  the model; not NULL
  * @param axis  array of length 3: direction of the axis, not zero
- * @param blades  number of blades, odd and at least 3: grids have odd numbers of points
+ * @param blades  number of blades, at least 2
  * @param nodes  array of length [count]: ids of the nodes of all blades, blade after blade, those
  *     of each in the same order; all different
  * @param count  number of nodes, a multiple of blades

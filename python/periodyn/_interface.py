@@ -1273,7 +1273,8 @@ class PeriodicOptions(Struct):
     _type = "pdn_periodic_options"
     _initialise = lib.pdn_periodic_options_init
     grid_points = Number("grid_points")
-    """Number N of grid points, odd: harmonics up to (N - 1) / 2 are resolved. 0 for as many as
+    """Number N of grid points, odd, or a multiple of the number of like blades
+    (pdn_model_set_rotor_symmetry): harmonics below N / 2 are resolved. 0 for as many as
     error_tolerance needs. Default 0.
     """
     harmonics = Number("harmonics")
@@ -3459,11 +3460,10 @@ class Model(ModelExtras):
         very slender, and only by factors where blades act on each other. Loads and conditions
         that parameters make different at the blades are solved for in whole. Nothing else takes
         notice: statics, modes, marches, branches and stability are those of the whole model.
-        Six blades are three pairs, each given as one.
 
         Args:
             axis: array of shape (3): direction of the axis, not zero
-            blades: number of blades, odd and at least 3: grids have odd numbers of points
+            blades: number of blades, at least 2
             nodes: ids of the nodes of all blades, blade after blade, those of each in the same
                 order; all different
             hub: ids of the nodes of the hub, and of whatever else turns with the blades
@@ -4683,8 +4683,9 @@ class Model(ModelExtras):
 
         Args:
             period: T, the period of the response; harmonics of signals are those of this period
-            grid_points: Number N of grid points, odd: harmonics up to (N - 1) / 2 are resolved.
-                0 for as many as error_tolerance needs. Default 0.
+            grid_points: Number N of grid points, odd, or a multiple of the number of like
+                blades (pdn_model_set_rotor_symmetry): harmonics below N / 2 are resolved. 0 for
+                as many as error_tolerance needs. Default 0.
             harmonics: If not 0, the number of harmonics that are resolved: grid_points is then
                 2 harmonics + 1. Default 0.
             tolerance: Newton's method has converged when the largest increment (lengths
@@ -5368,8 +5369,9 @@ class Model(ModelExtras):
         Args:
             period: T, or a guess of it
             conditions: free parameters and as many conditions
-            grid_points: Number N of grid points, odd: harmonics up to (N - 1) / 2 are resolved.
-                0 for as many as error_tolerance needs. Default 0.
+            grid_points: Number N of grid points, odd, or a multiple of the number of like
+                blades (pdn_model_set_rotor_symmetry): harmonics below N / 2 are resolved. 0 for
+                as many as error_tolerance needs. Default 0.
             harmonics: If not 0, the number of harmonics that are resolved: grid_points is then
                 2 harmonics + 1. Default 0.
             tolerance: Newton's method has converged when the largest increment (lengths

@@ -115,8 +115,8 @@ def test_like_blades_are_said_and_read():
     np.testing.assert_array_equal(point, np.zeros(3))
     assert (blades, of_blade, of_hub) == (3, 1, 0)
     assert model.rotor_node(1, 0) == bodies[1]
-    with pytest.raises(pdn.Error, match="blades: expected an odd number"):
-        model.set_rotor_symmetry([0, 0, 1], 2, bodies[:2], [])
+    with pytest.raises(pdn.Error, match="blades: expected at least 2"):
+        model.set_rotor_symmetry([0, 0, 1], 1, bodies[:1], [])
 
 
 def test_a_frame_that_turns_softens_a_radial_spring():

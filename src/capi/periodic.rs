@@ -9,7 +9,7 @@ use super::pointer::null;
 use super::solution::pdn_solution;
 use super::status::pdn_status;
 use crate::collocation::GridState;
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::{Error, Result};
 use crate::fourier::{SharpEvent, TimeGrid, TimeMap};
 use crate::model::Model;
 use crate::motion::{Motion, is_rotation, polar_rotation};
@@ -112,7 +112,8 @@ pub type pdn_progress_fn =
 pub struct pdn_periodic_options {
     /// Set by the initialiser.
     pub struct_size: usize,
-    /// Number N of grid points, odd: harmonics up to (N - 1) / 2 are resolved. 0 for as many as
+    /// Number N of grid points, odd, or a multiple of the number of like blades
+    /// (pdn_model_set_rotor_symmetry): harmonics below N / 2 are resolved. 0 for as many as
     /// error_tolerance needs. Default 0.
     pub grid_points: usize,
     /// If not 0, the number of harmonics that are resolved: grid_points is then 2 harmonics + 1.
@@ -403,10 +404,8 @@ pub(super) fn read_options(
     }
     let mut time_map = read_time_map(call, given, period)?;
     let grid_of = |points: usize| {
-        TimeGrid::new(points, period).map_err(|e| match e.kind() {
-            ErrorKind::Size => Error::size("options.grid_points", "an odd number", points),
-            _ => e,
-        })
+        model.require_grid_points("options.grid_points", points)?;
+        TimeGrid::even_or_odd(points, period)
     };
     // Without a number of points, the grid that a given start is on.
     let (points, grid) = match grid_points {

@@ -24,11 +24,11 @@ use nalgebra::Vector3;
 /// is mapped, equations are oversampled, controllers act or beams are very slender, and only by
 /// factors where blades act on each other. Loads and conditions that parameters make different at
 /// the blades are solved for in whole. Nothing else takes notice: statics, modes, marches, branches
-/// and stability are those of the whole model. Six blades are three pairs, each given as one.
+/// and stability are those of the whole model.
 ///
 /// @param model  the model; not NULL
 /// @param axis  array of length 3: direction of the axis, not zero
-/// @param blades  number of blades, odd and at least 3: grids have odd numbers of points
+/// @param blades  number of blades, at least 2
 /// @param nodes  array of length [count]: ids of the nodes of all blades, blade after blade, those
 ///     of each in the same order; all different
 /// @param count  number of nodes, a multiple of blades

@@ -305,11 +305,16 @@ impl Defect {
     pub fn high_harmonics(&self, equations: &Collocation) -> Vec<f64> {
         let points = self.rows.len() / self.count;
         let mut analysis = Analysis::new(points);
-        let mut largest = vec![0.0f64; points / 2];
+        // Below the highest of an even number of points, which is its own alias.
+        let highest = points.div_ceil(2);
+        let mut largest = vec![0.0f64; highest - 1];
         for (row, places) in places(equations.system(), 3) {
             analysis.read(self.rows[row..].iter().step_by(self.count).copied());
             let scale = 2.0 * equations.row_scale()[places(0)] / (points as f64 * Self::SHOWN);
-            for (largest, c) in largest.iter_mut().zip(analysis.spectrum[1..].iter().rev()) {
+            for (largest, c) in largest
+                .iter_mut()
+                .zip(analysis.spectrum[1..highest].iter().rev())
+            {
                 *largest = largest.max(scale * c.norm());
             }
         }

@@ -71,7 +71,11 @@ impl CardinalWeights {
             } else {
                 // sin(y0 + jπ) = (−1)^j sin y0
                 let sign = if behind % 2 == 0 { 1.0 } else { -1.0 };
-                in_closed_form(n, x, sign * sin_y0, sign * cos_y0)
+                let odd = in_closed_form(n, x, sign * sin_y0, sign * cos_y0);
+                match points.is_multiple_of(2) {
+                    true => of_even(odd, x),
+                    false => odd,
+                }
             };
             self.value[k] = i;
             self.first[k] = omega * d;
@@ -93,15 +97,26 @@ fn in_closed_form(n: f64, x: f64, sin_y: f64, cos_y: f64) -> (f64, f64, f64) {
     )
 }
 
+/// For an even number of points, whose function is that of an odd one times `cos x`.
+fn of_even((i, d, t): (f64, f64, f64), x: f64) -> (f64, f64, f64) {
+    let (sin, cos) = x.sin_cos();
+    (
+        i * cos,
+        d * cos - 0.5 * i * sin,
+        t * cos - d * sin - 0.25 * i * cos,
+    )
+}
+
 /// The same by the sum of harmonics, which has no cancellation at the grid point itself.
 fn by_summation(points: usize, tau: f64) -> (f64, f64, f64) {
     let (mut i, mut d, mut t) = (1.0, 0.0, 0.0);
-    for j in 1..=(points - 1) / 2 {
+    for j in 1..=points / 2 {
         let h = j as f64;
+        let both = if 2 * j == points { 1.0 } else { 2.0 };
         let (sin, cos) = (h * tau % TAU).sin_cos();
-        i += 2.0 * cos;
-        d -= 2.0 * h * sin;
-        t -= 2.0 * h * h * cos;
+        i += both * cos;
+        d -= both * h * sin;
+        t -= both * h * h * cos;
     }
     let n = points as f64;
     (i / n, d / n, t / n)
@@ -121,8 +136,8 @@ mod tests {
 
     #[test]
     fn weights_agree_with_the_sum_of_harmonics_everywhere() {
-        for points in [1, 3, 7, 21, 101] {
-            let grid = TimeGrid::new(points, 2.0).unwrap();
+        for points in [1, 2, 3, 7, 8, 21, 36, 101] {
+            let grid = TimeGrid::even_or_odd(points, 2.0).unwrap();
             let mut weights = CardinalWeights::new(grid);
             for time in [
                 0.0,

@@ -34,18 +34,24 @@ impl Differentiation {
         let omega = grid.frequency();
         let size = n as f64;
         let mut first = vec![0.0; n];
-        let mut second = vec![omega * omega * (1.0 - size * size) / 12.0; n];
+        let is_even = n.is_multiple_of(2);
+        let own = if is_even { -2.0 } else { 1.0 };
+        let mut second = vec![omega * omega * (own - size * size) / 12.0; n];
         for m in 1..n {
             let (sin, cos) = (PI * m as f64 / size).sin_cos();
             let sign = if m % 2 == 0 { 1.0 } else { -1.0 };
-            first[m] = omega * sign / (2.0 * sin);
-            second[m] = -omega * omega * sign * cos / (2.0 * sin * sin);
+            // Of an even number of points by those of an odd one, see `CardinalWeights`.
+            let (first_by, second_by) = if is_even { (cos, 1.0) } else { (1.0, cos) };
+            first[m] = omega * sign * first_by / (2.0 * sin);
+            second[m] = -omega * omega * sign * second_by / (2.0 * sin * sin);
         }
         let rate = |m: usize| match m <= grid.harmonics() {
             true => m as f64 * omega,
             false => -((n - m) as f64) * omega,
         };
-        let factors = (0..n).map(|m| [rate(m) / size, -rate(m) * rate(m) / size]);
+        // What has a cosine alone has no slope at the points.
+        let has_slope = |m: usize| f64::from(2 * m != n);
+        let factors = (0..n).map(|m| [has_slope(m) * rate(m) / size, -rate(m) * rate(m) / size]);
         Differentiation {
             grid,
             first,
@@ -169,11 +175,11 @@ mod tests {
 
     #[test]
     fn derivatives_of_resolved_harmonics_are_exact_densely_and_by_fft() {
-        for points in [3, 9, 21, 65, 201] {
-            let grid = TimeGrid::new(points, 1.7).unwrap();
+        for points in [3, 4, 9, 12, 21, 65, 200, 201] {
+            let grid = TimeGrid::even_or_odd(points, 1.7).unwrap();
             let mut operators = Differentiation::new(grid);
             let omega = grid.frequency();
-            for j in [0, 1, grid.harmonics()] {
+            for j in [0, 1, (points - 1) / 2] {
                 let rate = j as f64 * omega;
                 let x: Vec<f64> = grid.times().map(|t| (rate * t + 0.4).sin()).collect();
                 let mut buffers = [(); 4].map(|()| vec![0.0; points]);
@@ -195,8 +201,8 @@ mod tests {
 
     #[test]
     fn many_functions_have_the_derivatives_of_each_and_zeros_those_of_zeros() {
-        for (points, count) in [(3, 3), (7, 4), (9, 4), (21, 5), (21, 1)] {
-            let grid = TimeGrid::new(points, 1.7).unwrap();
+        for (points, count) in [(3, 3), (7, 4), (8, 4), (9, 4), (20, 3), (21, 5), (21, 1)] {
+            let grid = TimeGrid::even_or_odd(points, 1.7).unwrap();
             let mut operators = Differentiation::new(grid);
             let wave = |i: usize| match i % count {
                 1 => 0.0,

@@ -4,8 +4,11 @@ use super::time_map::{Slope, TimeMap};
 use crate::error::{Error, Result, require_positive_number};
 use std::f64::consts::TAU;
 
-/// `N` odd, times `t_k = g(k T / N)` over one period: equispaced but for a map `g` of time, which
-/// brings them closer together where that is wanted.
+/// Times `t_k = g(k T / N)` over one period: equispaced but for a map `g` of time, which brings them
+/// closer together where that is wanted.
+///
+/// `N` is odd, but where like blades share an even number of points. Then the highest harmonic
+/// is a cosine: at the points it has no first derivative, but a second one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TimeGrid {
     points: usize,
@@ -18,6 +21,14 @@ impl TimeGrid {
     pub fn new(points: usize, period: f64) -> Result<Self> {
         if points.is_multiple_of(2) {
             return Err(Error::size("grid_points", "an odd number", points));
+        }
+        TimeGrid::even_or_odd(points, period)
+    }
+
+    /// The same of an even number of points, too.
+    pub fn even_or_odd(points: usize, period: f64) -> Result<Self> {
+        if points == 0 {
+            return Err(Error::size("grid_points", "at least 1", points));
         }
         require_positive_number("period", period)?;
         Ok(TimeGrid {
@@ -32,12 +43,12 @@ impl TimeGrid {
         TimeGrid { map, ..self }
     }
 
-    /// Another number of points, odd, over the same period by the same map.
+    /// Another number of points over the same period by the same map.
     ///
     /// # Errors
-    /// If the number is even.
+    /// If there are none.
     pub fn with_points(self, points: usize) -> Result<Self> {
-        Ok(TimeGrid::new(points, self.period)?.mapped(self.map))
+        Ok(TimeGrid::even_or_odd(points, self.period)?.mapped(self.map))
     }
 
     /// The same points in another period, each at the same phase.
@@ -45,7 +56,7 @@ impl TimeGrid {
     /// # Errors
     /// If it is none.
     pub fn with_period(self, period: f64) -> Result<Self> {
-        Ok(TimeGrid::new(self.points, period)?.mapped(self.map))
+        Ok(TimeGrid::even_or_odd(self.points, period)?.mapped(self.map))
     }
 
     /// The map of time, counted in periods.
@@ -68,9 +79,24 @@ impl TimeGrid {
         TAU / self.period
     }
 
-    /// Highest harmonic, `(N − 1) / 2`.
+    /// Highest harmonic, `(N − 1) / 2`, or `N / 2` of an even number of points.
     pub fn harmonics(&self) -> usize {
+        self.points / 2
+    }
+
+    /// Highest harmonic of which the grid has cosine and sine.
+    pub fn whole_harmonics(&self) -> usize {
         (self.points - 1) / 2
+    }
+
+    /// The part of a harmonic that the grid has: half of the highest of an even number of points,
+    /// which has a cosine alone.
+    pub fn part_of_harmonic(&self, harmonic: usize) -> f64 {
+        if 2 * harmonic == self.points {
+            0.5
+        } else {
+            1.0
+        }
     }
 
     /// The same number of points, equispaced in time.

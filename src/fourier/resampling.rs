@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 #[derive(Debug, Clone)]
 pub struct Resampling {
     grid: TimeGrid,
-    /// `exp(i j Ω start) / N`.
+    /// `exp(i j Ω start) / N`, times the part of the harmonic that the grid has.
     shift: Vec<Complex<f64>>,
     analysis: Analysis,
     synthesis: Synthesis,
@@ -24,13 +24,16 @@ pub struct Resampling {
 }
 
 impl Resampling {
-    /// From `grid` to `points` (odd) equispaced times of a period, the first of them `start`
+    /// From `grid` to `points` equispaced times of a period, the first of them `start`
     /// periods later.
     pub fn new(grid: TimeGrid, start: f64, points: usize) -> Self {
         let phase = start - start.floor();
         let scale = 1.0 / grid.points() as f64;
         let shift = (0..=grid.harmonics())
-            .map(|j| Complex::from_polar(scale, TAU * ((j as f64 * phase) % 1.0)))
+            .map(|j| {
+                let scale = scale * grid.part_of_harmonic(j);
+                Complex::from_polar(scale, TAU * ((j as f64 * phase) % 1.0))
+            })
             .collect();
         Resampling {
             grid,
@@ -105,7 +108,8 @@ impl Resampling {
     pub fn amplitudes(&self) -> impl Iterator<Item = f64> + '_ {
         let scale = 1.0 / self.grid.points() as f64;
         let both = move |(j, c): (usize, &Complex<f64>)| {
-            (if j == 0 { scale } else { 2.0 * scale }) * c.norm()
+            let both = 2.0 * self.grid.part_of_harmonic(j);
+            (if j == 0 { scale } else { both * scale }) * c.norm()
         };
         self.analysis.spectrum.iter().enumerate().map(both)
     }
@@ -197,12 +201,13 @@ mod tests {
 
     #[test]
     fn values_and_derivatives_are_those_of_the_series_on_finer_coarser_and_later_grids() {
-        for points in [1, 3, 9, 45] {
-            let grid = TimeGrid::new(points, 1.7).unwrap();
+        for points in [1, 3, 8, 9, 12, 45] {
+            let grid = TimeGrid::even_or_odd(points, 1.7).unwrap();
             let values: Vec<f64> = (0..points).map(|k| (k as f64 * 1.3).sin() + 0.2).collect();
             let series = PeriodicSeries::interpolate(grid, &values, 0.0);
             for (start, others) in [
                 (0.0, 27),
+                (0.1, 16),
                 (0.5 / points as f64, points),
                 (-0.3, 7),
                 (2.7, 1),

@@ -51,9 +51,8 @@ impl Model {
     /// sense, once in a period.
     ///
     /// # Errors
-    /// If an argument has no finite values, `axis` has no direction, the number of blades is not
-    /// odd or 1, they have no nodes, or not equally many; if a node does not exist or is named
-    /// twice.
+    /// If an argument has no finite values, `axis` has no direction, there are less than two blades,
+    /// they have no nodes, or not equally many; if a node does not exist or is named twice.
     pub fn set_rotor_symmetry(
         &mut self,
         axis: &Vector3<f64>,
@@ -63,10 +62,8 @@ impl Model {
     ) -> Result<()> {
         let axis = direction("axis", axis)?.normalize();
         require_finite("point", point.as_slice())?;
-        if blades.len() < 3 || blades.len().is_multiple_of(2) {
-            let expected = "an odd number, at least 3: grids have odd numbers of points, and \
-                            those that blades share are multiples of the number of blades";
-            return Err(Error::size("blades", expected, blades.len()));
+        if blades.len() < 2 {
+            return Err(Error::size("blades", "at least 2", blades.len()));
         }
         let count = blades[0].len();
         if count == 0 {
@@ -88,6 +85,22 @@ impl Model {
             blades: blades.to_vec(),
         });
         Ok(())
+    }
+
+    /// Checks that a grid may have so many points: an odd number, or what like blades share.
+    ///
+    /// # Errors
+    /// If it may not.
+    pub fn require_grid_points(&self, name: &str, points: usize) -> Result<()> {
+        let shared = self.rotor_symmetry.as_ref().map_or(1, |r| r.blades.len());
+        if points % 2 == 1 || points > 0 && shared > 1 && points.is_multiple_of(shared) {
+            return Ok(());
+        }
+        let mut expected = String::from("an odd number");
+        if shared > 1 {
+            expected += &format!(", or a multiple of the number of like blades, {shared}");
+        }
+        Err(Error::size(name, expected, points))
     }
 
     /// Which blades are alike, if that was said.

@@ -193,9 +193,10 @@ impl<'a> Content<'a> {
         let regime = self.regime()?;
         let kind = self.take_kind(&regime)?;
         let model = self.model.into_owned().checked()?;
+        model.require_grid_points("grid_points", self.grid_points)?;
         let solve = Solved {
             system: Arc::new(System::of_known_solution(&model, regime)?),
-            grid: TimeGrid::new(self.grid_points, self.period)?
+            grid: TimeGrid::even_or_odd(self.grid_points, self.period)?
                 .mapped(TimeMap::new(&self.sharp_events, self.period)?),
             state: self.state.into_owned(),
             node_states: self.node_states.into_owned(),

@@ -108,7 +108,7 @@ impl<'a> SavedPoint<'a> {
         Ok(BranchPoint {
             values: self.values.into_owned(),
             slope: self.slope,
-            grid: TimeGrid::new(state.points(), self.period)?,
+            grid: TimeGrid::even_or_odd(state.points(), self.period)?,
             state,
             step: self.step,
             angle: self.angle,

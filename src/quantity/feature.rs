@@ -87,7 +87,10 @@ impl Feature {
             }
         }
         let n = points as f64;
-        let twice = |all: Vec<f64>| all.iter().map(|x| 2.0 * x / n).collect();
+        let twice = |all: Vec<f64>| {
+            let both = |(j, x)| 2.0 * grid.part_of_harmonic(j) * x / n;
+            (1..).zip(all).map(both).collect()
+        };
         let weights =
             PeriodicSeries::new(grid.period(), mean / n, 0.0, twice(cosines), twice(sines));
         Ok(grid.times().map(|time| weights.value(time)).collect())
@@ -149,7 +152,8 @@ mod tests {
         };
         let map = TimeMap::new(&[event], 1.3).unwrap();
         let grid = TimeGrid::new(7, 1.3).unwrap();
-        for grid in [grid, grid.mapped(map)] {
+        let even = TimeGrid::even_or_odd(6, 1.3).unwrap();
+        for grid in [grid, grid.mapped(map), even] {
             weights_are_derivatives_on(grid);
         }
     }
@@ -171,7 +175,7 @@ mod tests {
             let weights = feature.weights(grid, order).unwrap();
             for (k, weight) in weights.iter().enumerate() {
                 // Features are linear.
-                let mut unit = vec![0.0; 7];
+                let mut unit = vec![0.0; grid.points()];
                 unit[k] = 1.0;
                 let error = value(feature, order, &unit) - weight;
                 let size = (3.0 * TAU / 1.3f64).powi(order as i32);

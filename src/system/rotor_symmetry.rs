@@ -109,13 +109,14 @@ fn turn([axis, point]: [Vector3<f64>; 2], fraction: f64) -> Motion {
 }
 
 impl System {
-    /// The least odd number of at least so many points that like blades can share, or `points`
-    /// itself if that is more than `largest`, or there are none.
+    /// The least number of at least so many points that like blades can share, or `points` itself
+    /// if that is more than `largest`, or there are none. It is odd if the number of blades is.
     pub fn shared_points(&self, points: usize, largest: usize) -> usize {
         let Some(symmetry) = &self.symmetry else {
             return points;
         };
-        let parts = points.div_ceil(symmetry.blades) | 1;
+        let least = points.div_ceil(symmetry.blades);
+        let parts = least | (symmetry.blades % 2);
         let shared = parts * symmetry.blades;
         if shared <= largest { shared } else { points }
     }

@@ -129,7 +129,6 @@ static void bad_calls_are_refused(void)
     REFUSED(CALL(in.model, in.axis, 3, in.nodes, 0, in.hub, 1, NULL), PDN_ERR_SIZE, "count: ");
     REFUSED(CALL(in.model, in.axis, -1, in.nodes, 3, in.hub, 1, NULL), PDN_ERR_SIZE, "count: ");
     REFUSED(CALL(in.model, in.axis, 1, in.nodes, 3, in.hub, 1, NULL), PDN_ERR_SIZE, "blades: ");
-    REFUSED(CALL(in.model, in.axis, 2, in.nodes, 2, in.hub, 1, NULL), PDN_ERR_SIZE, "blades: ");
     REFUSED(CALL(in.model, in.axis, 3, in.nodes, SIZE_MAX, in.hub, 1, NULL), PDN_ERR_SIZE,
             "count: ");
     REFUSED(CALL(in.model, in.axis, 3, in.nodes, 3, in.hub, SIZE_MAX, NULL), PDN_ERR_SIZE,

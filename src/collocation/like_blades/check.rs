@@ -50,7 +50,7 @@ pub(super) fn checked_carries(
     if system.elements().iter().any(|placed| placed.has_feedback) {
         return Ok(None);
     }
-    let grid = TimeGrid::new(POINTS * symmetry.blades, system.period())?;
+    let grid = TimeGrid::even_or_odd(POINTS * symmetry.blades, system.period())?;
     let mut equations = Collocation::new(system.clone(), grid)?;
     let mut state = GridState::reference(system, grid);
     let count = grid.points();

@@ -8,7 +8,8 @@
 //! A is off by  −iNω Σ P_m ũ,   B by  Nω² Σ (2(h + m) − N) P_m ũ,   P_m = M_mᴴ M_m,   h + m > H
 //! ```
 //!
-//! which is all there is to it where `M` turns steadily.
+//! which is all there is to it where `M` turns steadily. With an even number of points harmonic `N/2`
+//! has no first derivative, as half of it is taken for harmonic `−N/2`.
 //! See docs/theory.md, section 4.5.
 
 use super::kinematics::NodeKinematics;
@@ -60,7 +61,10 @@ impl NodeKinematics {
         let points = grid.points();
         let (highest, omega) = (points / 2, grid.frequency());
         let n = points as f64;
-        let products: Vec<Pair> = (1..=MOST.min(highest)).map(|m| self.product(m)).collect();
+        // The first that is no harmonic of the grid, above the highest increment.
+        let first = points % 2;
+        let most = MOST.min(highest);
+        let products: Vec<Pair> = (first..=most).map(|m| self.product(m)).collect();
         let (mut a, mut v) = (DualMatrix::zeros(), DualVector::zeros());
         for l in 0..points {
             a += self.first(l) * (1.0 / n);
@@ -70,8 +74,8 @@ impl NodeKinematics {
         for below in 0..products.len() {
             let h = highest - below;
             let (mut sum, mut weighted) = (Pair::zeros(), Pair::zeros());
-            for (product, m) in products.iter().zip(1..).skip(below) {
-                sum.add(product, 1.0);
+            for (product, m) in products.iter().zip(first..).skip(below) {
+                sum.add(product, grid.part_of_harmonic(h + m));
                 weighted.add(product, 2.0 * (h + m) as f64 - n);
             }
             if sum.0.primal.norm() + sum.1.primal.norm() < SMALL {
@@ -122,7 +126,13 @@ mod tests {
 
     #[test]
     fn a_steady_turn_is_exact() {
-        let grid = TimeGrid::new(15, 2.0).unwrap();
+        for points in [15, 16] {
+            a_steady_turn_on(points);
+        }
+    }
+
+    fn a_steady_turn_on(points: usize) {
+        let grid = TimeGrid::even_or_odd(points, 2.0).unwrap();
         let omega = grid.frequency();
         let mut operators = Differentiation::new(grid);
         let offset = Motion::new(
@@ -141,25 +151,27 @@ mod tests {
             let mut node = NodeKinematics::default();
             node.evaluate(&mut operators, &motions, &mut KinematicsScratch::default());
             let aliasing = node.aliasing(grid);
-            assert_eq!(aliasing.len(), turns.unsigned_abs() as usize);
+            // And the highest of an even number itself.
+            let count = turns.unsigned_abs() as usize + 1 - points % 2;
+            assert_eq!(aliasing.len(), count);
             let twist = node.velocity(0).skew().to_twist_matrix().map(Complex::from);
             for (below, expected) in aliasing.iter().enumerate() {
-                let h = 7 - below;
+                let h = points / 2 - below;
                 for component in 0..6 {
                     // The response to a cosine and, as imaginary part, to a sine.
                     let mut response = [Vector6::<Complex<f64>>::zeros(); 2];
                     for (part, factor) in [(0, Complex::from(1.0)), (1, Complex::i())] {
-                        let mut increments = vec![0.0; 6 * 15];
+                        let mut increments = vec![0.0; 6 * points];
                         for (k, t) in grid.times().enumerate() {
                             let (sine, cosine) = (h as f64 * omega * t).sin_cos();
                             increments[6 * k + component] = [cosine, sine][part];
                         }
                         let scratch = &mut KinematicsScratch::default();
-                        let mut rates = [[Vector6::zeros(); 2]; 15];
+                        let mut rates = vec![[Vector6::zeros(); 2]; points];
                         node.variation(&mut operators, &increments, scratch, &mut rates);
                         for (l, [dv, da]) in rates.iter().enumerate() {
-                            let back =
-                                Complex::from_polar(1.0 / 15.0, -omega * h as f64 * grid.time(l));
+                            let back = Complex::from_polar(1.0, -omega * h as f64 * grid.time(l))
+                                / points as f64;
                             response[0] += dv.map(|x| back * factor * x);
                             response[1] += da.map(|x| back * factor * x);
                         }

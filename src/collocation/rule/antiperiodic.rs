@@ -22,8 +22,8 @@ pub struct Antiperiodic {
 impl Antiperiodic {
     /// On `grid`, for so many nodes.
     ///
-    /// The highest multiple, N/2, has no first derivative on N points, but a second one: without
-    /// that all that resists its rate alone would be singular.
+    /// The highest multiple, N/2 of an odd number, has no first derivative on N points, but a second
+    /// one: without that all that resists its rate alone would be singular.
     pub fn new(grid: TimeGrid, nodes: usize) -> Self {
         let (count, frequency) = (grid.points(), grid.frequency());
         let size = count as f64;
@@ -36,7 +36,12 @@ impl Antiperiodic {
         let second = |m: usize| {
             let below = sum(m, &|q, angle| 2.0 * q * q * angle.cos());
             let sign = if m.is_multiple_of(2) { 1.0 } else { -1.0 };
-            -frequency * frequency * (below + 0.25 * size * sign)
+            let highest = if count % 2 == 1 {
+                0.25 * size * sign
+            } else {
+                0.0
+            };
+            -frequency * frequency * (below + highest)
         };
         Antiperiodic {
             motion: Spectral::new(grid, nodes),
@@ -63,7 +68,11 @@ pub fn antiperiodic_at(count: usize, periods: f64) -> Vec<f64> {
     let weight = |k: usize| {
         let angle = 2.0 * PI * (periods - k as f64 / count as f64);
         let below = (0..count / 2).map(|j| 2.0 * ((j as f64 + 0.5) * angle).cos());
-        (below.sum::<f64>() + (0.5 * count as f64 * angle).cos()) / count as f64
+        let highest = match count % 2 {
+            1 => (0.5 * count as f64 * angle).cos(),
+            _ => 0.0,
+        };
+        (below.sum::<f64>() + highest) / count as f64
     };
     (0..count).map(weight).collect()
 }
@@ -104,10 +113,10 @@ mod tests {
 
     #[test]
     fn half_harmonics_are_differentiated_exactly_but_the_highest_once() {
-        for count in [1, 3, 9, 15] {
-            let grid = TimeGrid::new(count, 1.7).unwrap();
+        for count in [1, 3, 8, 9, 15] {
+            let grid = TimeGrid::even_or_odd(count, 1.7).unwrap();
             let rule = Antiperiodic::new(grid, 1);
-            for j in 0..=count / 2 {
+            for j in 0..count.div_ceil(2) {
                 let q = j as f64 + 0.5;
                 let rate = q * grid.frequency();
                 let wave = |k: usize| (q * TAU * k as f64 / count as f64 + 0.3).sin();

@@ -27,7 +27,7 @@ fn state(system: &System, points: usize, phase: usize) -> GridState {
 fn rules(system: &System) -> Vec<(Box<dyn TimeRule>, usize)> {
     let nodes = system.nodes();
     let spectral = |points: usize| -> (Box<dyn TimeRule>, usize) {
-        let grid = TimeGrid::new(points, PERIOD).unwrap();
+        let grid = TimeGrid::even_or_odd(points, PERIOD).unwrap();
         (Box::new(Spectral::new(grid, nodes)), points)
     };
     let mapped = |points: usize| -> (Box<dyn TimeRule>, usize) {
@@ -53,6 +53,7 @@ fn rules(system: &System) -> Vec<(Box<dyn TimeRule>, usize)> {
         spectral(1),
         spectral(5),
         spectral(11),
+        spectral(12),
         mapped(5),
         mapped(11),
         (Box::new(Backward::new(weights, past)), 1),

@@ -19,7 +19,7 @@ fn wave(i: usize) -> f64 {
 
 fn equations(model: &Model, period: f64, points: usize) -> Collocation {
     let system = Arc::new(System::new(model, period).unwrap());
-    Collocation::new(system, TimeGrid::new(points, period).unwrap()).unwrap()
+    Collocation::new(system, TimeGrid::even_or_odd(points, period).unwrap()).unwrap()
 }
 
 /// Unscaled unknowns.
@@ -61,7 +61,7 @@ fn assert_close(found: &[f64], expected: &[f64], tolerance: f64) {
 #[test]
 fn products_are_those_of_the_matrix_and_of_its_transpose() {
     for (model, period) in models() {
-        for points in [1, 3, 9, 35] {
+        for points in [1, 3, 8, 9, 35] {
             let mut equations = equations(&model, period, points);
             equations.regularise();
             let system = equations.system().clone();
@@ -99,7 +99,7 @@ fn products_are_those_of_the_matrix_and_of_its_transpose() {
 #[test]
 fn transposed_products_with_stress_resultants_are_those_of_the_transpose() {
     for (model, period) in models() {
-        for points in [1, 9] {
+        for points in [1, 8, 9] {
             let mut equations = equations(&model, period, points);
             equations.regularise();
             let system = equations.system().clone();
@@ -139,7 +139,7 @@ fn transposed_products_with_stress_resultants_are_those_of_the_transpose() {
 #[test]
 fn places_on_the_diagonal_are_on_it() {
     for (model, period) in models() {
-        for points in [1, 9] {
+        for points in [1, 8, 9] {
             let system = System::new(&model, period).unwrap();
             let pattern = Pattern::new(&system, points);
             for motion in 0..6 * points * system.nodes() {
@@ -155,7 +155,7 @@ fn places_on_the_diagonal_are_on_it() {
 #[test]
 fn products_with_powers_are_those_of_their_matrices() {
     for (model, period) in models() {
-        for points in [1, 3, 9] {
+        for points in [1, 3, 9, 12] {
             let mut equations = equations(&model, period, points);
             let system = equations.system().clone();
             let pattern = Pattern::new(&system, points);
@@ -191,7 +191,7 @@ fn products_with_powers_are_those_of_their_matrices() {
 #[test]
 fn what_is_left_where_the_equations_are_linearised_is_the_residual() {
     for (model, period) in models() {
-        for points in [1, 9] {
+        for points in [1, 8, 9] {
             let mut equations = equations(&model, period, points);
             let (system, state) = (equations.system().clone(), moved(&equations));
             let mut expected = vec![0.0; equations.size()];

@@ -162,7 +162,7 @@ impl Follow<'_, '_> {
         // The equations may be at another point.
         let nominal = self.walk.newton.equations.system().period();
         let period = self.walk.conditioned.period_at(&scalars, nominal);
-        let Ok(grid) = TimeGrid::new(state.points(), period) else {
+        let Ok(grid) = TimeGrid::even_or_odd(state.points(), period) else {
             self.ends(BranchEnd::SmallestStep, "the period is none");
             return None;
         };

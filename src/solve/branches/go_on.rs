@@ -44,7 +44,7 @@ pub fn continue_branch(
     let free = branch.conditioned.free();
     options.require_conditions(free.len() - 1)?;
     options.require_value(&branch.parameter_name(), last.values[0])?;
-    let grid = TimeGrid::new(last.grid.points(), branch.period)?;
+    let grid = TimeGrid::even_or_odd(last.grid.points(), branch.period)?;
     let watching = options.periodic.watch.begin(Stage::Newton, grid.points());
     let workers = Workers::new(options.periodic.threads)?.telling(watching.pulse());
     let walk = Walk::new(branch.model(), grid, free, (options, workers, watching))?;

@@ -94,8 +94,8 @@ impl Walk<'_> {
             return Ok(Some(place.clone()));
         }
         let [from, to] = [place.state.points(), points];
-        let from = TimeGrid::new(from, equations.grid().period())?;
-        let to = TimeGrid::new(to, equations.grid().period())?;
+        let from = TimeGrid::even_or_odd(from, equations.grid().period())?;
+        let to = TimeGrid::even_or_odd(to, equations.grid().period())?;
         match place.state.resampled(system, from, 0.0, to, &self.workers) {
             Ok(state) => {
                 let tangent = self.resampled(&place.tangent, from, points);

@@ -345,7 +345,7 @@ impl Branch {
         let mut scalars = point.values[1..].to_vec();
         scalars.push(point.values[0]);
         let (model, period) = self.conditioned.model_at(&scalars, self.period)?;
-        let grid = TimeGrid::new(point.grid.points(), period)?;
+        let grid = TimeGrid::even_or_odd(point.grid.points(), period)?;
         let report = NewtonReport::ended(Outcome::Converged, String::new());
         let motion = (grid, point.state.clone());
         let system = Arc::new(System::new(&model, period)?);

@@ -69,7 +69,7 @@ impl Walk<'_> {
         let scalars = std::mem::take(&mut state.scalars);
         let nominal = self.newton.equations.system().period();
         let (model, period) = self.conditioned.model_at(&scalars, nominal)?;
-        let grid = TimeGrid::new(state.points(), period)?;
+        let grid = TimeGrid::even_or_odd(state.points(), period)?;
         let system = Arc::new(System::new(&model, period)?);
         let report = NewtonReport::ended(Outcome::Converged, String::new());
         let threads = self.options.periodic.threads;

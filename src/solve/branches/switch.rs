@@ -80,7 +80,7 @@ pub fn switch_branch(
     }
     let values = std::mem::take(&mut state.scalars);
     let (model, period) = walk.conditioned.model_at(&values, grid.period())?;
-    let grid = TimeGrid::new(grid.points(), period)?;
+    let grid = TimeGrid::even_or_odd(grid.points(), period)?;
     follow_from(&model, (grid, state), &free, &options, observe)
 }
 
@@ -108,10 +108,10 @@ impl Crossing {
             });
         }
         let (count, points) = (grid.points(), 2 * grid.points() - 1);
-        let fine = TimeGrid::new(points, grid.period())?;
+        let fine = TimeGrid::even_or_odd(points, grid.period())?;
         let once = state.resampled(&system, grid, 0.0, fine, &Workers::default())?;
         let model = model.repeated(2);
-        let twice = TimeGrid::new(points, 2.0 * grid.period())?;
+        let twice = TimeGrid::even_or_odd(points, 2.0 * grid.period())?;
         let doubled = System::new(&model, twice.period())?;
         let mut state = GridState::reference(&doubled, twice);
         let layout = doubled.layout(points);

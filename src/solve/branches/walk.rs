@@ -323,7 +323,7 @@ impl<'a> Walk<'a> {
     pub fn take_grid(&mut self, place: &Place, points: usize) -> Result<Option<(Place, Before)>> {
         let equations = &self.newton.equations;
         let (system, grid) = (equations.system().clone(), equations.grid());
-        let other = TimeGrid::new(points, grid.period())?;
+        let other = TimeGrid::even_or_odd(points, grid.period())?;
         let state = match place
             .state
             .resampled(&system, grid, 0.0, other, &self.workers)
@@ -333,7 +333,7 @@ impl<'a> Walk<'a> {
             Err(e) => return Err(e),
         };
         let tangent = self.resampled(&place.tangent, grid, points);
-        let nominal = TimeGrid::new(points, system.period())?;
+        let nominal = TimeGrid::even_or_odd(points, system.period())?;
         let next = solver(
             &system,
             nominal,

@@ -65,7 +65,9 @@ pub fn solve_conditioned(
     };
     let grid = match &before {
         Some(held) => held.grid,
-        None => TimeGrid::new(start.points(), period)?.mapped(options.time_map.given(period)?),
+        None => {
+            TimeGrid::even_or_odd(start.points(), period)?.mapped(options.time_map.given(period)?)
+        }
     };
     if let GridPoints::Fixed(points) = options.grid_points
         && points != grid.points()

@@ -155,7 +155,7 @@ impl Periodic<'_> {
                 // Of loads, harmonics of pseudo-time are not known; what the grid takes for others
                 // shows between its points.
                 let equispaced = self.on.grid.map().is_identity();
-                if equispaced && self.loads.has_above(self.on.grid.harmonics()) {
+                if equispaced && self.loads.has_above(self.on.grid.whole_harmonics()) {
                     let low = self.unheld(state)?;
                     let high = waves.unheld(&defect, &self.loads)?;
                     if let Some((low, high)) = low.zip(high) {
@@ -190,7 +190,7 @@ impl Periodic<'_> {
         let (mut full, mut held) = (vec![0.0; equations.size()], vec![0.0; equations.size()]);
         equations.residual(state, &mut full)?;
         let signals = equations.signals().to_vec();
-        let (count, harmonics) = (self.on.system.signals(), self.on.grid.harmonics());
+        let (count, harmonics) = (self.on.system.signals(), self.on.grid.whole_harmonics());
         let mut without = signals.clone();
         let mut rest = vec![0.0; count];
         for (values, time) in without.chunks_exact_mut(count).zip(self.on.grid.times()) {
@@ -212,7 +212,7 @@ impl Periodic<'_> {
 
     /// The signal that needs the finest grid, to get rid of most of this error.
     fn name_unheld(&self, error: f64) -> Option<Unheld> {
-        let (signal, harmonic) = self.loads.needed(self.on.grid.harmonics(), MOST)?;
+        let (signal, harmonic) = self.loads.needed(self.on.grid.whole_harmonics(), MOST)?;
         Some(Unheld {
             place: self.on.system.signal_place(signal).to_string(),
             harmonic,

@@ -146,7 +146,8 @@ pub fn solve_periodic(
         GridPoints::Fixed(points) => (points, points),
         GridPoints::Adaptive(adaptation) => (adaptation.largest, 1),
     };
-    TimeGrid::new(points, period)?;
+    model.require_grid_points("grid_points", points)?;
+    TimeGrid::even_or_odd(points, period)?;
     let map = options.time_map.given(period)?;
     let system = Arc::new(System::new(model, period)?);
     require_periodic_forces(model, system.scales().length, period)?;
@@ -161,7 +162,7 @@ pub fn solve_periodic(
     let loads = Loads::of(&system, largest)?;
     let first = FirstGrids::of(options, &system, &loads);
     let [wanted, of_starts, grid] = [first.wanted, first.starts, first.solved]
-        .map(|points| TimeGrid::new(points, period).map(|grid| grid.mapped(map)));
+        .map(|points| TimeGrid::even_or_odd(points, period).map(|grid| grid.mapped(map)));
     let (wanted, of_starts, grid) = (wanted?, of_starts?, grid?);
     let watching = options.watch.begin(Stage::InitialGuess, grid.points());
     let means = Means {

@@ -111,6 +111,11 @@ impl Interface {
 
     /// What is kept of harmonics; none if that does not pay, or takes more than it may.
     fn reach_that_pays(&self) -> Option<Reach> {
+        // The band is of cosines and sines, of which the highest harmonic of an even number of
+        // points has one alone.
+        if self.points.is_multiple_of(2) {
+            return None;
+        }
         let reach = Reach::of(&self.parts, self.points, self.bounds.left_out);
         let work = OF_DENSE * reach.work();
         let pays = work < dense_work(self.size()) || !self.may_be_dense();
