@@ -25,6 +25,7 @@ mod tangent;
 
 pub use between::{Defect, ResidualBetween};
 pub use decay::{Decay, DecayKind};
+pub(crate) use like_blades::scaled_adjoint;
 pub use like_blades::{AlikeMotions, Leaders, LikeBlades, OneBlade, require_like_blades};
 pub use mixed::ResultantPath;
 pub use motion_tangent::MotionTangent;

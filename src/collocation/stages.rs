@@ -27,7 +27,7 @@ pub struct Stages {
 }
 
 impl Stages {
-    /// The motion `state` on `grid`, in as many steps (odd) to the period as `steps` has points.
+    /// The motion `state` on `grid`, in as many steps to the period as `steps` has points.
     ///
     /// # Errors
     /// If a motion cannot be interpolated.

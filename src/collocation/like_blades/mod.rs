@@ -42,7 +42,7 @@ pub struct Carry {
 }
 
 /// `Ad(C)` for scaled increments.
-fn scaled_adjoint(motion: &Motion, length: f64) -> Matrix6<f64> {
+pub(crate) fn scaled_adjoint(motion: &Motion, length: f64) -> Matrix6<f64> {
     let scale = |i: usize| if i < 3 { length } else { 1.0 };
     let adjoint = motion.adjoint();
     Matrix6::from_fn(|i, j| adjoint[(i, j)] * scale(j) / scale(i))

@@ -1,6 +1,7 @@
 //! Numbers of steps with which the multipliers stand still.
 
 use super::judgement::{Judgement, judge};
+use super::next_blade::NextBlade;
 use super::period_map::PeriodMap;
 use super::resolution::Resolution;
 use super::spectrum::{FIRST, Rough, Spectrum, gain, spectrum, within};
@@ -11,6 +12,7 @@ use crate::solve::result::Solved;
 use crate::solve::watch::Watching;
 use crate::workers::Workers;
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 /// Steps of the first try at least,
 const FEWEST_STEPS: usize = 5;
@@ -42,6 +44,7 @@ pub(super) fn find(
         highest: options.highest(solve.grid.period()),
         states: state_count(solve),
         resolution: Resolution::new(),
+        next: NextBlade::of(solve).map(Arc::new),
         watching,
     };
     if let Some(known) = before
@@ -91,6 +94,7 @@ struct Analysis<'a> {
     highest: f64,
     states: usize,
     resolution: Resolution,
+    next: Option<Arc<NextBlade>>,
     watching: &'a Watching,
 }
 
@@ -98,7 +102,7 @@ impl Analysis<'_> {
     fn map(&self, steps: usize) -> Result<PeriodMap> {
         self.watching.grid(steps);
         let workers = Workers::default().telling(self.watching.pulse());
-        PeriodMap::new(self.solve, steps, &workers)
+        PeriodMap::new(self.solve, steps, self.next.clone(), &workers)
     }
 
     fn spectrum(&self, steps: usize, guess: usize) -> Result<Option<Spectrum>> {
@@ -113,6 +117,14 @@ impl Analysis<'_> {
     /// Angular frequency of modes up to which so many steps leave out none, if not resolve it.
     fn seen(&self, steps: usize) -> f64 {
         self.resolved(steps, SEEN.max(self.tolerance))
+    }
+
+    /// At least so many steps, of which each like blade has as many; an odd number otherwise.
+    fn shared(&self, steps: usize) -> usize {
+        match &self.next {
+            Some(next) => steps.next_multiple_of(next.blades),
+            None => steps | 1,
+        }
     }
 
     /// Angle that a mode turns by in a period.
@@ -143,14 +155,13 @@ impl Analysis<'_> {
     /// Takes more steps until the multipliers stand still; none if a step is singular.
     fn with_enough_steps(&self) -> Result<Option<Found>> {
         let few = self.states <= FIRST;
-        let mut steps = (self.solve.grid.points() / 8).max(FEWEST_STEPS) | 1;
+        let mut steps = (self.solve.grid.points() / 8).max(FEWEST_STEPS);
         if !few {
             // Those that are left out are to be above the highest frequency.
             let seen = (self.resolution).steps(self.angle(self.highest), SEEN);
-            steps = steps
-                .max(seen | 1)
-                .clamp(FEWEST_OF_LARGE, (MOST_STEPS / 2 - 1) | 1);
+            steps = steps.max(seen).clamp(FEWEST_OF_LARGE, MOST_STEPS / 2);
         }
+        steps = self.shared(steps);
         let mut before: Option<(Vec<Rough>, usize)> = None;
         let mut best: Option<Found> = None;
         loop {
@@ -167,7 +178,7 @@ impl Analysis<'_> {
                 let judgement = found.as_ref().map(|found| &found.judgement);
                 judgement.is_some_and(|judgement| judgement.resolved)
             };
-            let fewer = fewer(steps);
+            let fewer = self.shared(steps * FEWER[0] / FEWER[1]);
             if !few && !is_resolved(&found) && self.suffices(&now, (fewer, steps)) {
                 let Some(rough) = self.again(&now, fewer)? else {
                     return Ok(None);
@@ -251,7 +262,7 @@ impl Analysis<'_> {
 
     /// The number of steps to go on with.
     fn next_steps(&self, now: &Spectrum, steps: usize) -> usize {
-        let most = 2 * steps - 1;
+        let most = self.shared(2 * steps - 1);
         if self.states <= FIRST {
             return most;
         }
@@ -260,18 +271,13 @@ impl Analysis<'_> {
             self.resolution.steps(self.angle(frequency), tolerance)
         };
         let wanted = now.modes(self.highest).map(of_mode).max().unwrap_or(0);
-        let wanted = (wanted * FEWER[1]).div_ceil(FEWER[0]) | 1;
+        let wanted = self.shared((wanted * FEWER[1]).div_ceil(FEWER[0]));
         // As many as that were not enough where these are fewer.
         match wanted > steps {
-            true => wanted.clamp((steps + steps / 4) | 1, most),
+            true => wanted.clamp(self.shared(steps + steps / 4), most),
             false => most,
         }
     }
-}
-
-/// Fewer steps, to compare with.
-fn fewer(steps: usize) -> usize {
-    (steps * FEWER[0] / FEWER[1]) | 1
 }
 
 /// What came of a comparison with fewer steps.

@@ -4,6 +4,7 @@
 mod analysis;
 mod hill;
 mod judgement;
+mod next_blade;
 mod period_map;
 mod resolution;
 mod spectrum;

@@ -1,6 +1,7 @@
 //! The map of disturbances over the steps of a period, by Radau's method IIA in index-3 form about
 //! a known motion.
 
+use super::next_blade::NextBlade;
 use super::step_map::{Common, Internal, Memory, StepMap};
 use crate::collocation::{Collocation, GridState, Pattern, RadauStep, STAGES, Stages, Tangent};
 use crate::elements::{Measure, NodeState, Unknown};
@@ -12,6 +13,7 @@ use crate::workers::Workers;
 use faer::{Mat, MatRef};
 use std::f64::consts::TAU;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// Disturbances that are taken through a step together.
 const TOGETHER: usize = 64;
@@ -27,6 +29,8 @@ pub(super) struct PeriodMap {
     tangent: Tangent,
     pattern: Pattern,
     solver: DirectSolver,
+    /// Of a rotor of like blades: steps are taken over one part of the period alone.
+    next: Option<Arc<NextBlade>>,
     /// Steps that were factored, and the bytes that they take.
     kept: Vec<Option<StepMap>>,
     bytes: usize,
@@ -34,13 +38,18 @@ pub(super) struct PeriodMap {
 }
 
 impl PeriodMap {
-    /// About `solve`, in so many steps (odd).
+    /// About `solve`, in so many steps, in which blades move alike if they have a `next` one.
     ///
     /// # Errors
     /// If the motion cannot be interpolated.
-    pub fn new(solve: &Solved, steps: usize, workers: &Workers) -> Result<Self> {
+    pub fn new(
+        solve: &Solved,
+        steps: usize,
+        next: Option<Arc<NextBlade>>,
+        workers: &Workers,
+    ) -> Result<Self> {
         let (system, period) = (&solve.system, solve.grid.period());
-        let grid = TimeGrid::new(steps, period)?;
+        let grid = TimeGrid::even_or_odd(steps, period)?;
         let stages = Stages::new(system, solve.grid, &solve.state, grid, workers)?;
         // Elements are asked at the stages; the length of the grid is of no account.
         let mut equations = Collocation::new(system.clone(), TimeGrid::new(STAGES, period)?)?;
@@ -92,6 +101,7 @@ impl PeriodMap {
             tangent,
             pattern,
             solver,
+            next: next.filter(|next| steps.is_multiple_of(next.blades)),
             kept: (0..steps).map(|_| None).collect(),
             bytes: 0,
             memory: Memory::default(),
@@ -109,18 +119,58 @@ impl PeriodMap {
         self.kept.len()
     }
 
+    /// Of a rotor of like blades, what its disturbances are at the places of the next.
+    pub fn next(&self) -> Option<&Arc<NextBlade>> {
+        self.next.as_ref()
+    }
+
+    /// Steps of the part of the period after which the motion is the same again, but for the places
+    /// of like blades.
+    pub fn part(&self) -> usize {
+        self.steps() / self.next.as_ref().map_or(1, |next| next.blades)
+    }
+
     /// The motion of a node at the end of a step.
     pub fn end(&self, step: usize, node: usize) -> &NodeState {
         self.stages.end(step, node)
     }
 
-    /// Takes disturbances, scaled, from the start of the first of some steps to the end of the
-    /// last; `after` sees them at the end of each. `false` if a step's equations are singular.
-    /// Factors are kept for the next sweep, if `keep` and as far as there is memory for them.
+    /// Takes any disturbances, scaled, through so many steps to the end of a part of the period, and
+    /// gives them the places of the next blades. `false` if a step's equations are singular.
+    /// Factors are kept for what comes then, as far as there is memory for them.
     ///
     /// # Errors
     /// Those of elements and signals, or if work is to end.
-    pub fn sweep(
+    pub fn through(&mut self, steps: usize, columns: &mut Mat<f64>) -> Result<bool> {
+        let (part, mut left) = (self.part(), steps);
+        while left > 0 {
+            let some = match left % part {
+                0 => part,
+                rest => rest,
+            };
+            if !self.sweep((part - some..part, true), columns, |_, _| ())? {
+                return Ok(false);
+            }
+            left -= some;
+        }
+        Ok(true)
+    }
+
+    /// Takes disturbances, scaled, over the first part of the period, and gives them the places of
+    /// the next blades; `after` sees them at the end of each step. `false` if a step's equations are
+    /// singular.
+    ///
+    /// # Errors
+    /// Those of elements and signals, or if work is to end.
+    pub fn over_part(
+        &mut self,
+        columns: &mut Mat<f64>,
+        after: impl FnMut(usize, MatRef<f64>),
+    ) -> Result<bool> {
+        self.sweep((0..self.part(), false), columns, after)
+    }
+
+    fn sweep(
         &mut self,
         (steps, keep): (Range<usize>, bool),
         columns: &mut Mat<f64>,
@@ -158,6 +208,9 @@ impl PeriodMap {
                 }
                 false => spare = Some(map),
             }
+        }
+        if let Some(next) = &self.next {
+            next.carry(&self.common, columns.as_mut());
         }
         Ok(true)
     }

@@ -7,11 +7,13 @@ use crate::solve::linear::dense::decomposed;
 use crate::solve::linear::eigenvalues::eigenvectors;
 use crate::solve::modes::krylov::Random;
 use crate::solve::result::Solved;
+use crate::solve::stability::next_blade::NextBlade;
 use crate::solve::stability::period_map::PeriodMap;
 use faer::linalg::solvers::{PartialPivLu, Solve};
 use faer::{Mat, c64};
 use nalgebra::{Complex, DMatrix, Vector6};
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 /// Disturbances tried at first, and more than were found with fewer steps.
 pub(super) const FIRST: usize = 24;
@@ -58,8 +60,13 @@ pub(super) struct Spectrum {
     pub basis: Mat<f64>,
     /// Of each, the part of each disturbance that was followed: real and imaginary parts.
     parts: [Mat<f64>; 2],
-    /// Increments of the nodes at the end of each step, of each disturbance; scaled.
+    /// Increments of the nodes at the end of each step of a part of the period, of each disturbance;
+    /// scaled.
     samples: Vec<Mat<f64>>,
+    /// Of a rotor of like blades: what happens from one part to the next, and by which factors at
+    /// the places of the next blades.
+    next: Option<Arc<NextBlade>>,
+    factors: Vec<Complex<f64>>,
 }
 
 impl Default for Spectrum {
@@ -73,6 +80,8 @@ impl Default for Spectrum {
             basis: Mat::new(),
             parts: [Mat::new(), Mat::new()],
             samples: Vec::new(),
+            next: None,
+            factors: Vec::new(),
         }
     }
 }
@@ -102,7 +111,7 @@ pub(super) fn within(
     basis: Mat<f64>,
     solve: &Solved,
 ) -> Result<Option<Spectrum>> {
-    let (count, steps) = (basis.ncols(), map.steps());
+    let (count, steps) = (basis.ncols(), map.part());
     let nodes = solve.system.nodes();
     if 12 * nodes * count * steps * size_of::<f64>() > MOST_MEMORY {
         let message = format!(
@@ -114,7 +123,7 @@ pub(super) fn within(
     let mut columns = basis.clone();
     let mut samples = Vec::with_capacity(steps);
     let mut rates = Vec::with_capacity(steps);
-    let regular = map.sweep((0..steps, false), &mut columns, |_, columns| {
+    let regular = map.over_part(&mut columns, |_, columns| {
         let part = |of: usize| {
             Mat::from_fn(6 * nodes, count, |i, j| {
                 columns[(12 * (i / 6) + of + i % 6, j)]
@@ -127,11 +136,17 @@ pub(super) fn within(
         return Ok(None);
     }
     let square = basis.transpose() * &columns;
-    let Some((values, vectors)) = eigenvectors(&square) else {
+    let Some((mut factors, mut vectors)) = eigenvectors(&square) else {
         return Ok(None);
     };
+    let mut rounding = rounding(&square, &vectors, steps);
+    let next = map.next().cloned();
+    let blades = next.as_ref().map_or(1, |next| next.blades) as u32;
+    let values = powers(blades, &mut factors, &mut vectors);
+    for (error, factor) in rounding.iter_mut().zip(&factors) {
+        *error *= f64::from(blades) * factor.norm().powi(blades as i32 - 1);
+    }
     let part = |of: fn(c64) -> f64| Mat::from_fn(count, count, |i, j| of(vectors[(i, j)]));
-    let rounding = rounding(&square, &vectors, steps);
     let mut found = Spectrum {
         basis,
         errors: rounding.clone(),
@@ -139,6 +154,8 @@ pub(super) fn within(
         parts: [part(|z| z.re), part(|z| z.im)],
         samples,
         values,
+        next,
+        factors,
         ..Spectrum::default()
     };
     found.make_rates(map, solve, &mut rates);
@@ -172,7 +189,7 @@ fn basis(map: &mut PeriodMap, states: usize, guess: usize) -> Result<Option<Mat<
             false => (steps / PART, DEAD),
         };
         let mut more = Mat::from_fn(map.size(), count - matrix.ncols(), |_, _| random.next());
-        if !map.sweep((steps - part..steps, true), &mut more, |_, _| ())? {
+        if !map.through(part, &mut more)? {
             return Ok(None);
         }
         let before = matrix.ncols();
@@ -188,6 +205,25 @@ fn basis(map: &mut PeriodMap, states: usize, guess: usize) -> Result<Option<Mat<
         }
         count = (2 * count).min(states);
     }
+}
+
+/// What disturbances are multiplied by in a period, by the `factors` of its like parts; of a pair
+/// that with the positive imaginary part is put first.
+fn powers(parts: u32, factors: &mut [c64], vectors: &mut Mat<c64>) -> Vec<c64> {
+    let mut values: Vec<c64> = factors.iter().map(|factor| factor.powu(parts)).collect();
+    let first_of_pairs = (0..values.len()).filter(|&j| factors[j].im > 0.0);
+    for j in first_of_pairs.collect::<Vec<_>>() {
+        if values[j].im < 0.0 {
+            values.swap(j, j + 1);
+            factors.swap(j, j + 1);
+            for i in 0..vectors.nrows() {
+                let before = vectors[(i, j)];
+                vectors[(i, j)] = vectors[(i, j + 1)];
+                vectors[(i, j + 1)] = before;
+            }
+        }
+    }
+    values
 }
 
 /// What rounding may do to each eigenvalue of a matrix.
@@ -224,12 +260,21 @@ impl Spectrum {
             .map_or(0, |columns| columns.nrows() / 6)
     }
 
+    /// Steps to the period.
+    fn steps(&self) -> usize {
+        self.samples.len() * self.next.as_ref().map_or(1, |next| next.blades)
+    }
+
     /// The disturbance of mode `j` at the end of a step, scaled.
     fn disturbance(&self, j: usize, step: usize) -> Vec<Complex<f64>> {
-        let columns = &self.samples[step];
+        let columns = &self.samples[step % self.samples.len()];
         let [re, im] = self.parts.each_ref().map(|part| columns * part.col(j));
         let entries = re.iter().zip(im.iter());
-        entries.map(|(re, im)| Complex::new(*re, *im)).collect()
+        let mut all: Vec<_> = entries.map(|(re, im)| Complex::new(*re, *im)).collect();
+        if let Some(next) = &self.next {
+            next.later(step / self.samples.len(), self.factors[j], &mut all);
+        }
+        all
     }
 
     /// Mode `j` at a node over the period, for this exponent; scaled.
@@ -240,7 +285,7 @@ impl Spectrum {
         exponent: Complex<f64>,
         period: f64,
     ) -> Vec<[Complex<f64>; 6]> {
-        let steps = self.samples.len();
+        let steps = self.steps();
         let mut largest = Complex::<f64>::default();
         let mut shape = Vec::with_capacity(steps);
         for step in 0..steps {
@@ -286,7 +331,7 @@ impl Spectrum {
     /// Sizes of the rates of all modes relative to their own, without their growth, in the mean
     /// over the period.
     fn frequencies(&self, rates: &[Mat<f64>], solve: &Solved) -> Vec<f64> {
-        let steps = self.samples.len() as f64;
+        let steps = self.steps() as f64;
         // Of a pair that with the positive imaginary part, which comes first.
         let ones = (0..self.count()).filter(|&j| self.values[j].im >= 0.0);
         let ones: Vec<usize> = ones.collect();
@@ -469,7 +514,7 @@ impl Shifts {
     fn outside(&self, spectrum: &Spectrum, j: usize) -> f64 {
         let rows = 6 * self.nodes;
         let mut mode = DMatrix::zeros(self.directions.nrows(), 2);
-        for step in 0..spectrum.samples.len() {
+        for step in 0..spectrum.steps() {
             for (i, x) in spectrum.disturbance(j, step).iter().enumerate() {
                 mode[(step * rows + i, 0)] = x.re;
                 mode[(step * rows + i, 1)] = x.im;
