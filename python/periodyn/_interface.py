@@ -3459,7 +3459,9 @@ class Model(ModelExtras):
         it; not where time is mapped, equations are oversampled, controllers act or beams are
         very slender, and only by factors where blades act on each other. Loads and conditions
         that parameters make different at the blades are solved for in whole. Nothing else takes
-        notice: statics, modes, marches, branches and stability are those of the whole model.
+        notice: statics, modes, marches and branches are those of the whole model; multipliers,
+        too, but they are found over the part of the period that one blade takes to the place of
+        the next.
 
         Args:
             axis: array of shape (3): direction of the axis, not zero
