@@ -126,8 +126,8 @@ impl Linear {
             Choice::Iterative(preconditioner) => {
                 Active::Iterative(Box::new(iterative(preconditioner)))
             }
-            Choice::IterativeFirst { work, products } => {
-                let first = iterative(None).or_directly(work, products);
+            Choice::IterativeFirst { work, limit } => {
+                let first = iterative(None).or_directly(work, limit);
                 Active::Iterative(Box::new(first))
             }
         };

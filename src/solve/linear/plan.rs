@@ -30,6 +30,10 @@ const VALUE: f64 = 50.0;
 const AFFORDABLE_FREEDOMS: f64 = 1e10;
 /// Factors with pivots that wait take more than was planned, by so much.
 pub(super) const DELAYED: f64 = 1.2;
+/// Products of a linear solve after which factors are tried instead: as many as take as long, within
+/// bounds. On mapped grids preconditioners that average over time are good, or not at all.
+const PATIENCE: [usize; 2] = [150, 400];
+const PATIENCE_IF_MAPPED: usize = 40;
 /// So few numbers are not worth the trouble.
 pub(super) const SMALL: f64 = 1500.0;
 
@@ -41,8 +45,8 @@ pub(super) enum Choice {
     LikeBlades(Box<OfLikeBlades>),
     /// Iteration alone.
     Iterative(Option<Preconditioner>),
-    /// Iteration, which gives up for factors of so many multiply-adds.
-    IterativeFirst { work: f64, products: usize },
+    /// Iteration, which gives up for factors of so many multiply-adds after so many products.
+    IterativeFirst { work: f64, limit: usize },
 }
 
 /// What is going to solve some equations.
@@ -80,9 +84,13 @@ impl Plan {
                 if cost.bytes < large && cheap || falls_back && few_freedoms() {
                     Choice::Direct
                 } else if falls_back {
+                    let limit = match equations.grid().map().is_identity() {
+                        true => products.clamp(PATIENCE[0], PATIENCE[1]),
+                        false => PATIENCE_IF_MAPPED,
+                    };
                     Choice::IterativeFirst {
                         work: cost.work,
-                        products,
+                        limit,
                     }
                 } else {
                     Choice::Iterative(None)

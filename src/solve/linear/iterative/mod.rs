@@ -168,11 +168,11 @@ impl Iterative {
         }
     }
 
-    /// Gives up for factors of the whole Jacobian, which take so many multiply-adds, or as long as
-    /// so many products, where a dense system or a solve would take more.
-    pub fn or_directly(mut self, work: f64, products: usize) -> Self {
+    /// Gives up for factors of the whole Jacobian, which take so many multiply-adds, where a dense
+    /// system would take more, or a solve more than so many products.
+    pub fn or_directly(mut self, work: f64, limit: usize) -> Self {
         self.direct_work = Some(work);
-        self.iteration_limit = products.clamp(ITERATION_LIMIT, LARGEST_ITERATION_LIMIT);
+        self.iteration_limit = limit;
         self
     }
 
