@@ -23,9 +23,9 @@ use nalgebra::Vector3;
 /// grid points is a multiple of that of blades, as adaptive solves then choose it; not where time
 /// is mapped, equations are oversampled, controllers act or beams are very slender, and only by
 /// factors where blades act on each other. Loads and conditions that parameters make different at
-/// the blades are solved for in whole. Nothing else takes notice: statics, modes, marches and branches
-/// are those of the whole model; multipliers, too, but they are found over the part of the period
-/// that one blade takes to the place of the next.
+/// the blades are solved for in whole. Nothing else takes notice: statics, modes, marches and
+/// branches are those of the whole model; multipliers, too, but they are found over the part of
+/// the period that one blade takes to the place of the next.
 ///
 /// @param model  the model; not NULL
 /// @param axis  array of length 3: direction of the axis, not zero

@@ -4,8 +4,8 @@ use super::time_map::{Slope, TimeMap};
 use crate::error::{Error, Result, require_positive_number};
 use std::f64::consts::TAU;
 
-/// Times `t_k = g(k T / N)` over one period: equispaced but for a map `g` of time, which brings them
-/// closer together where that is wanted.
+/// Times `t_k = g(k T / N)` over one period: equispaced but for a map `g` of time, which brings
+/// them closer together where that is wanted.
 ///
 /// `N` is odd, but where like blades share an even number of points. Then the highest harmonic
 /// is a cosine: at the points it has no first derivative, but a second one.

@@ -51,8 +51,8 @@ impl Model {
     /// sense, once in a period.
     ///
     /// # Errors
-    /// If an argument has no finite values, `axis` has no direction, there are less than two blades,
-    /// they have no nodes, or not equally many; if a node does not exist or is named twice.
+    /// If an argument has no finite values, `axis` has no direction, there are less than two
+    /// blades, they have no nodes, or not equally many; if a node does not exist or is named twice.
     pub fn set_rotor_symmetry(
         &mut self,
         axis: &Vector3<f64>,

@@ -8,8 +8,8 @@
 //! A is off by  −iNω Σ P_m ũ,   B by  Nω² Σ (2(h + m) − N) P_m ũ,   P_m = M_mᴴ M_m,   h + m > H
 //! ```
 //!
-//! which is all there is to it where `M` turns steadily. With an even number of points harmonic `N/2`
-//! has no first derivative, as half of it is taken for harmonic `−N/2`.
+//! which is all there is to it where `M` turns steadily. With an even number of points
+//! harmonic `N/2` has no first derivative, as half of it is taken for harmonic `−N/2`.
 //! See docs/theory.md, section 4.5.
 
 use super::kinematics::NodeKinematics;

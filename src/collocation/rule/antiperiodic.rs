@@ -22,8 +22,8 @@ pub struct Antiperiodic {
 impl Antiperiodic {
     /// On `grid`, for so many nodes.
     ///
-    /// The highest multiple, N/2 of an odd number, has no first derivative on N points, but a second
-    /// one: without that all that resists its rate alone would be singular.
+    /// The highest multiple, N/2 of an odd number, has no first derivative on N points, but a
+    /// second one: without that all that resists its rate alone would be singular.
     pub fn new(grid: TimeGrid, nodes: usize) -> Self {
         let (count, frequency) = (grid.points(), grid.frequency());
         let size = count as f64;

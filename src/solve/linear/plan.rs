@@ -30,8 +30,8 @@ const VALUE: f64 = 50.0;
 const AFFORDABLE_FREEDOMS: f64 = 1e10;
 /// Factors with pivots that wait take more than was planned, by so much.
 pub(super) const DELAYED: f64 = 1.2;
-/// Products of a linear solve after which factors are tried instead: as many as take as long, within
-/// bounds. On mapped grids preconditioners that average over time are good, or not at all.
+/// Products of a linear solve after which factors are tried instead: as many as take as long,
+/// within bounds. On mapped grids preconditioners that average over time are good, or not at all.
 const PATIENCE: [usize; 2] = [150, 400];
 const PATIENCE_IF_MAPPED: usize = 40;
 /// So few numbers are not worth the trouble.

@@ -135,8 +135,8 @@ impl PeriodMap {
         self.stages.end(step, node)
     }
 
-    /// Takes any disturbances, scaled, through so many steps to the end of a part of the period, and
-    /// gives them the places of the next blades. `false` if a step's equations are singular.
+    /// Takes any disturbances, scaled, through so many steps to the end of a part of the period,
+    /// and gives them the places of the next blades. `false` if a step's equations are singular.
     /// Factors are kept for what comes then, as far as there is memory for them.
     ///
     /// # Errors
@@ -156,9 +156,9 @@ impl PeriodMap {
         Ok(true)
     }
 
-    /// Takes disturbances, scaled, over the first part of the period, and gives them the places of
-    /// the next blades; `after` sees them at the end of each step. `false` if a step's equations are
-    /// singular.
+    /// Takes disturbances, scaled, over the first part of the period, and gives them the places
+    /// of the next blades; `after` sees them at the end of each step. `false` if a step's
+    /// equations are singular.
     ///
     /// # Errors
     /// Those of elements and signals, or if work is to end.

@@ -60,8 +60,8 @@ pub(super) struct Spectrum {
     pub basis: Mat<f64>,
     /// Of each, the part of each disturbance that was followed: real and imaginary parts.
     parts: [Mat<f64>; 2],
-    /// Increments of the nodes at the end of each step of a part of the period, of each disturbance;
-    /// scaled.
+    /// Increments of the nodes at the end of each step of a part of the period, of each
+    /// disturbance; scaled.
     samples: Vec<Mat<f64>>,
     /// Of a rotor of like blades: what happens from one part to the next, and by which factors at
     /// the places of the next blades.
