@@ -5,9 +5,9 @@ mod common;
 use common::models::rotors::*;
 use common::*;
 use nalgebra::{Complex, Matrix3, Matrix6, Vector3, Vector6};
-use periodyn::elements::JointKind;
+use periodyn::elements::{Coordinate, JointKind};
 use periodyn::error::ErrorKind;
-use periodyn::model::{Model, Signal, SignalPart, SignalPlace, Target};
+use periodyn::model::{JointCoordinate, Model, Signal, SignalPart, SignalPlace, Target};
 use periodyn::motion::Motion;
 use periodyn::output::{NodeQuantity, Quantity, Solution};
 use periodyn::quantity::Feature;
@@ -345,6 +345,61 @@ fn multipliers_are_those_of_the_whole() {
         assert!(most < 1e-9, "{most:e}");
         assert!(count > 2, "{count}");
     }
+}
+
+#[test]
+fn multipliers_with_one_damper_out_are_those_of_the_whole() {
+    // A rotor in its plane that nothing loads: it turns alike whatever its dampers are.
+    let speed = 3.0;
+    let mut model = Model::new();
+    let hub = ball(&mut model, 3.0, 1.0, &Vector3::zeros());
+    let frame = Motion::identity();
+    let held = model.add_joint(JointKind::Planar, None, Some(hub), &frame, &frame);
+    let held = held.unwrap();
+    model.prescribe(rotation1(held), &steady(speed)).unwrap();
+    for coordinate in [Coordinate::Displacement1, Coordinate::Displacement2] {
+        let joint = held;
+        spring(
+            &mut model,
+            JointCoordinate { joint, coordinate },
+            900.0,
+            4.0,
+        );
+    }
+    let blades = [0, 1, 2].map(|k| {
+        let angle = std::f64::consts::TAU * f64::from(k) / 3.0;
+        let out = Vector3::new(angle.cos(), angle.sin(), 0.0);
+        let blade = ball(&mut model, 2.0, 2.0, &(out * 1.3));
+        let ends = [Some(hub), Some(blade)];
+        let hinge = revolute(&mut model, ends[0], ends[1], &(out * 0.3), &Vector3::z());
+        spring(&mut model, rotation1(hinge), 25.0, 0.6);
+        vec![blade]
+    });
+    // The damper of the first blade.
+    let damper = model.add_parameter("damper", 0.6, 0.6).unwrap();
+    let target = Target::Damping(2, 1);
+    model.move_by_parameter(damper, target, 1.0).unwrap();
+    let mut symmetric = model.clone();
+    symmetric
+        .set_rotor_symmetry(&Vector3::z(), &Vector3::zeros(), &[hub], &blades)
+        .unwrap();
+    let options = BranchOptions {
+        periodic: by_factors(15),
+        range: [0.1, 0.6],
+        downwards: true,
+        stability: Some(StabilityOptions::default()),
+        ..BranchOptions::default()
+    };
+    let period = std::f64::consts::TAU / speed;
+    let ends = [&model, &symmetric].map(|model| {
+        let free = Free::Parameter(damper);
+        let branch = follow_branch(model, period, free, &options, &mut |_, _| true).unwrap();
+        let last = branch.points.last().unwrap().clone();
+        assert!((last.values[0] - 0.1).abs() < 1e-9, "{:?}", last.values);
+        last.stability.unwrap()
+    });
+    println!("{ends:?}");
+    assert!((ends[0].largest - ends[1].largest).abs() < 1e-8, "{ends:?}");
 }
 
 #[test]

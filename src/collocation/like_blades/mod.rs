@@ -327,17 +327,7 @@ impl LikeBlades {
         let points = state.points();
         let layout = system.layout(points);
         let leaders = state.clone();
-        for (node, follower) in self.nodes.iter().enumerate() {
-            let motions = &mut state.motions[node * points..][..points];
-            for (k, motion) in motions.iter_mut().enumerate() {
-                let (part, carry) = &follower.parts[k / self.part];
-                let there = leaders.node(follower.leader)[part * self.part + k % self.part];
-                *motion = match carry {
-                    Some(carry) => there.compose(&carry.motion),
-                    None => there,
-                };
-            }
-        }
+        self.make_motions_alike(&leaders, &mut state.motions);
         for (index, placed) in system.elements().iter().enumerate() {
             let count = placed.element.own_unknowns();
             if count == 0 || (0..count).any(|row| leaders.gain(system, placed, row) != 0.0) {
@@ -359,6 +349,29 @@ impl LikeBlades {
             }
         }
         state.track(system);
+    }
+
+    /// How far blades are from moving alike in a state, turns or relative to this length.
+    pub fn apart(&self, state: &GridState, length: f64) -> f64 {
+        let mut alike = state.clone();
+        self.make_motions_alike(state, &mut alike.motions);
+        state.distance(&alike, length)
+    }
+
+    /// Writes motions that follow those of the leaders in a state.
+    fn make_motions_alike(&self, leaders: &GridState, motions: &mut [Motion]) {
+        let points = leaders.points();
+        for (node, follower) in self.nodes.iter().enumerate() {
+            let motions = &mut motions[node * points..][..points];
+            for (k, motion) in motions.iter_mut().enumerate() {
+                let (part, carry) = &follower.parts[k / self.part];
+                let there = leaders.node(follower.leader)[part * self.part + k % self.part];
+                *motion = match carry {
+                    Some(carry) => there.compose(&carry.motion),
+                    None => there,
+                };
+            }
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::collocation::Collocation;
 use crate::solve::linear::cost::{AFFORDABLE, DirectCost, iteration_bytes, tangent_bytes};
 use crate::solve::linear::freedoms::FreedomSolver;
-use crate::solve::linear::iterative::Preconditioner;
+use crate::solve::linear::iterative::{ITERATION_LIMIT, LARGEST_ITERATION_LIMIT, Preconditioner};
 use crate::solve::linear::like_blades::OfLikeBlades;
 use crate::work::PRODUCT;
 
@@ -30,10 +30,9 @@ const VALUE: f64 = 50.0;
 const AFFORDABLE_FREEDOMS: f64 = 1e10;
 /// Factors with pivots that wait take more than was planned, by so much.
 pub(super) const DELAYED: f64 = 1.2;
-/// Products of a linear solve after which factors are tried instead: as many as take as long,
-/// within bounds. On mapped grids preconditioners that average over time are good, or not at all.
-const PATIENCE: [usize; 2] = [150, 400];
-const PATIENCE_IF_MAPPED: usize = 40;
+/// Products of a linear solve on a mapped grid after which factors are tried instead:
+/// preconditioners that average over time are good there, or not at all.
+const LIMIT_IF_MAPPED: usize = 40;
 /// So few numbers are not worth the trouble.
 pub(super) const SMALL: f64 = 1500.0;
 
@@ -85,8 +84,8 @@ impl Plan {
                     Choice::Direct
                 } else if falls_back {
                     let limit = match equations.grid().map().is_identity() {
-                        true => products.clamp(PATIENCE[0], PATIENCE[1]),
-                        false => PATIENCE_IF_MAPPED,
+                        true => products.clamp(ITERATION_LIMIT, LARGEST_ITERATION_LIMIT),
+                        false => LIMIT_IF_MAPPED,
                     };
                     Choice::IterativeFirst {
                         work: cost.work,

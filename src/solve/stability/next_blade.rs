@@ -2,7 +2,7 @@
 //! (docs/theory.md, section 12.4).
 
 use super::step_map::Common;
-use crate::collocation::{LikeBlades, scaled_adjoint};
+use crate::collocation::{LikeBlades, require_like_blades, scaled_adjoint};
 use crate::motion::Motion;
 use crate::solve::result::Solved;
 use faer::MatMut;
@@ -26,19 +26,14 @@ pub(super) struct NextBlade {
 impl NextBlade {
     /// Of a periodic motion in which all blades move alike; none of another one.
     pub fn of(solve: &Solved) -> Option<Self> {
-        let (system, grid, state) = (&solve.system, solve.grid, &solve.state);
-        let left = LikeBlades::on(system, grid)?;
+        let system = &solve.system;
+        // Motions may be alike where what acts on them is not: parameters change it.
+        require_like_blades(system).ok()?;
+        let left = LikeBlades::on(system, solve.grid)?;
         let symmetry = system.symmetry()?;
         let carries = symmetry.carries_of_own.get()?.as_ref()?;
         let length = system.scales().length;
-        let mut alike = state.clone();
-        left.make_alike(
-            system,
-            &vec![1.0; system.layout(grid.points()).size()],
-            &mut alike,
-        );
-        // Written so that NaN is not alike either.
-        let is_alike = state.distance(&alike, length) <= ALIKE;
+        let is_alike = left.apart(&solve.state, length) <= ALIKE;
         let node = |(&image, carry): (&usize, &Motion)| {
             let both = [carry.inverse(), *carry];
             (image, both.map(|motion| scaled_adjoint(&motion, length)))

@@ -79,8 +79,8 @@ pub(crate) use trial::missing_inertia;
 pub use trial::{LinearTrial, try_linear_solve};
 
 /// Most products of a linear solve: at least, and where nothing else is left or takes longer.
-const ITERATION_LIMIT: usize = 150;
-const LARGEST_ITERATION_LIMIT: usize = 400;
+pub(super) const ITERATION_LIMIT: usize = 150;
+pub(super) const LARGEST_ITERATION_LIMIT: usize = 400;
 /// Vectors that are kept at least, and more while they take no more bytes than this.
 const RESTART: usize = 60;
 const KEPT: usize = 500_000_000;
