@@ -34,16 +34,13 @@ use crate::workers::Workers;
 use adaptive::Adaptation;
 use estimate::mesh_error;
 use loads::Loads;
-use options::{GridPoints, PeriodicOptions, TimeMapping};
+use options::{GridPoints, PeriodicOptions};
 use std::sync::Arc;
 use std::time::Instant;
 
 /// Grids of more than this many times the points of a quasi-static start begin at a solution on
 /// fewer.
 const LARGE: usize = 2;
-
-/// Maps of time that are tried in an adaptive solve, one after the other.
-const MOST_MAPS: usize = 5;
 
 /// One periodic solve on its way.
 struct Periodic<'a> {
@@ -190,10 +187,7 @@ pub fn solve_periodic(
         loads,
         accepted,
         finest,
-        maps_left: match options.time_map {
-            TimeMapping::Automatic => MOST_MAPS,
-            TimeMapping::Equispaced | TimeMapping::Events(_) => 0,
-        },
+        maps_left: options.time_map.most_tried(),
         grids: Vec::new(),
         coarse: first.coarse,
         coarse_start: None,

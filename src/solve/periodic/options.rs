@@ -8,6 +8,9 @@ use crate::solve::report::NewtonOptions;
 use crate::solve::start::InitialGuess;
 use crate::solve::watch::Watch;
 
+/// Maps of time that are tried in an adaptive solve, one after the other.
+const MOST_MAPS: usize = 5;
+
 /// How many grid points.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum GridPoints {
@@ -38,6 +41,14 @@ impl TimeMapping {
         match self {
             TimeMapping::Automatic | TimeMapping::Equispaced => Ok(TimeMap::default()),
             TimeMapping::Events(events) => TimeMap::new(events, period),
+        }
+    }
+
+    /// How many maps an adaptive solve may try, one after the other.
+    pub(super) fn most_tried(&self) -> usize {
+        match self {
+            TimeMapping::Automatic => MOST_MAPS,
+            TimeMapping::Equispaced | TimeMapping::Events(_) => 0,
         }
     }
 
