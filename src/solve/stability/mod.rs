@@ -7,6 +7,7 @@ mod judgement;
 mod next_blade;
 mod period_map;
 mod resolution;
+mod shifts;
 mod spectrum;
 mod step_map;
 

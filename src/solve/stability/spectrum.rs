@@ -1,17 +1,16 @@
 //! Multipliers and modes of the period map, for one number of steps.
 
 use crate::error::{Error, ErrorKind, Result};
-use crate::memory;
 use crate::motion::DualVector;
-use crate::solve::linear::dense::decomposed;
 use crate::solve::linear::eigenvalues::eigenvectors;
 use crate::solve::modes::krylov::Random;
 use crate::solve::result::Solved;
 use crate::solve::stability::next_blade::NextBlade;
 use crate::solve::stability::period_map::PeriodMap;
+use crate::solve::stability::shifts::Shifts;
 use faer::linalg::solvers::{PartialPivLu, Solve};
 use faer::{Mat, c64};
-use nalgebra::{Complex, DMatrix, Vector6};
+use nalgebra::{Complex, Vector6};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -34,13 +33,9 @@ const MOST_MEMORY: usize = 1 << 32;
 const ALIKE: f64 = 0.1;
 /// Rounding of a step.
 const ROUNDING: f64 = 1e-14;
-/// Share of a mode outside the motions in time and space of one that is such a motion.
-const OUTSIDE: f64 = 1e-4;
 /// Distance of a multiplier from 1 that a motion in time or space may have by rounding, of which
 /// that of a double one is the root, or by errors of the solution.
 const NEAR_ONE: f64 = 1e-3;
-/// Size of a direction that is none.
-const FLAT: f64 = 1e-9;
 
 /// A multiplier and its frequency.
 pub(super) type Rough = (Complex<f64>, f64);
@@ -164,8 +159,7 @@ pub(super) fn within(
     let is_near_one = |value: &Complex<f64>| (value - 1.0).norm() < NEAR_ONE;
     if found.values.iter().any(is_near_one) {
         let shifts = Shifts::new(map, solve)?;
-        let is_shift =
-            |j: usize| is_near_one(&found.values[j]) && shifts.outside(&found, j) < OUTSIDE;
+        let is_shift = |j: usize| is_near_one(&found.values[j]) && shifts.contain(&found, j);
         found.shifts = (0..count).map(is_shift).collect();
     }
     Ok(Some(found))
@@ -261,12 +255,12 @@ impl Spectrum {
     }
 
     /// Steps to the period.
-    fn steps(&self) -> usize {
+    pub(super) fn steps(&self) -> usize {
         self.samples.len() * self.next.as_ref().map_or(1, |next| next.blades)
     }
 
     /// The disturbance of mode `j` at the end of a step, scaled.
-    fn disturbance(&self, j: usize, step: usize) -> Vec<Complex<f64>> {
+    pub(super) fn disturbance(&self, j: usize, step: usize) -> Vec<Complex<f64>> {
         let columns = &self.samples[step % self.samples.len()];
         let [re, im] = self.parts.each_ref().map(|part| columns * part.col(j));
         let entries = re.iter().zip(im.iter());
@@ -455,74 +449,5 @@ impl Spectrum {
             }
         }
         all
-    }
-}
-
-/// Motions of the solution in time and of all nodes in space.
-struct Shifts {
-    /// Orthonormal columns that velocities, three displacements and three turns are made of; of all
-    /// nodes at the ends of all steps.
-    directions: DMatrix<f64>,
-    nodes: usize,
-}
-
-impl Shifts {
-    fn new(map: &PeriodMap, solve: &Solved) -> Result<Self> {
-        let (nodes, steps) = (solve.system.nodes(), map.steps());
-        let length = solve.system.scales().length;
-        let scaled =
-            |u: &Vector6<f64>| Vector6::from_fn(|i, _| u[i] / if i < 3 { length } else { 1.0 });
-        // The basis, its decomposition, and modes beside it.
-        let entries = (3 * 7 + 2) * 6 * nodes * steps;
-        memory::require_items("modes over the period", entries, size_of::<f64>())?;
-        let mut basis = DMatrix::zeros(6 * nodes * steps, 7);
-        for step in 0..steps {
-            for node in 0..nodes {
-                let state = map.end(step, node);
-                let row = 6 * (step * nodes + node);
-                let velocity = scaled(&state.twist);
-                basis.fixed_view_mut::<6, 1>(row, 0).copy_from(&velocity);
-                let carried = state.motion.inverse().adjoint();
-                for component in 0..6 {
-                    let unit = if component < 3 { length } else { 1.0 };
-                    let moved = scaled(&(carried.column(component) * unit));
-                    basis
-                        .fixed_view_mut::<6, 1>(row, 1 + component)
-                        .copy_from(&moved);
-                }
-            }
-        }
-        for mut column in basis.column_iter_mut() {
-            let size = column.norm();
-            if size > 0.0 {
-                column /= size;
-            }
-        }
-        let none = DMatrix::zeros(basis.nrows(), 0);
-        let directions = decomposed(basis).and_then(|found| {
-            let sizes = found.singular_values.iter().enumerate();
-            let kept: Vec<usize> = sizes.filter(|s| *s.1 > FLAT).map(|s| s.0).collect();
-            Some(found.u?.select_columns(&kept))
-        });
-        Ok(Shifts {
-            directions: directions.unwrap_or(none),
-            nodes,
-        })
-    }
-
-    /// Share of mode `j` that is no such motion.
-    fn outside(&self, spectrum: &Spectrum, j: usize) -> f64 {
-        let rows = 6 * self.nodes;
-        let mut mode = DMatrix::zeros(self.directions.nrows(), 2);
-        for step in 0..spectrum.steps() {
-            for (i, x) in spectrum.disturbance(j, step).iter().enumerate() {
-                mode[(step * rows + i, 0)] = x.re;
-                mode[(step * rows + i, 1)] = x.im;
-            }
-        }
-        let size = mode.norm();
-        let parts = self.directions.tr_mul(&mode);
-        mode -= &self.directions * parts;
-        mode.norm() / size
     }
 }
