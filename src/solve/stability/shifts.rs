@@ -1,4 +1,4 @@
-//! Modes that are motions of the solution in time or of all nodes in space, whose multipliers are 1.
+//! Modes that are motions of the solution in time or of all nodes in space, of multiplier 1.
 //! See docs/theory.md, section 12.4.
 
 use crate::error::Result;
@@ -6,8 +6,7 @@ use crate::memory;
 use crate::solve::linear::dense::decomposed;
 use crate::solve::result::Solved;
 use crate::solve::stability::period_map::PeriodMap;
-use crate::solve::stability::spectrum::Spectrum;
-use nalgebra::{DMatrix, Vector6};
+use nalgebra::{Complex, DMatrix, Vector6};
 
 /// Share of a mode outside such motions of one that is such a motion.
 const OUTSIDE: f64 = 1e-4;
@@ -66,12 +65,12 @@ impl Shifts {
         })
     }
 
-    /// Whether mode `j` is such a motion.
-    pub(super) fn contain(&self, spectrum: &Spectrum, j: usize) -> bool {
+    /// Whether a mode, given by its disturbances at the ends of all steps, is such a motion.
+    pub(super) fn contain(&self, disturbances: impl Iterator<Item = Vec<Complex<f64>>>) -> bool {
         let rows = 6 * self.nodes;
         let mut mode = DMatrix::zeros(self.directions.nrows(), 2);
-        for step in 0..spectrum.steps() {
-            for (i, x) in spectrum.disturbance(j, step).iter().enumerate() {
+        for (step, all) in disturbances.enumerate() {
+            for (i, x) in all.iter().enumerate() {
                 mode[(step * rows + i, 0)] = x.re;
                 mode[(step * rows + i, 1)] = x.im;
             }

@@ -159,7 +159,10 @@ pub(super) fn within(
     let is_near_one = |value: &Complex<f64>| (value - 1.0).norm() < NEAR_ONE;
     if found.values.iter().any(is_near_one) {
         let shifts = Shifts::new(map, solve)?;
-        let is_shift = |j: usize| is_near_one(&found.values[j]) && shifts.contain(&found, j);
+        let is_shift = |j: usize| {
+            let disturbances = (0..found.steps()).map(|step| found.disturbance(j, step));
+            is_near_one(&found.values[j]) && shifts.contain(disturbances)
+        };
         found.shifts = (0..count).map(is_shift).collect();
     }
     Ok(Some(found))
@@ -255,12 +258,12 @@ impl Spectrum {
     }
 
     /// Steps to the period.
-    pub(super) fn steps(&self) -> usize {
+    fn steps(&self) -> usize {
         self.samples.len() * self.next.as_ref().map_or(1, |next| next.blades)
     }
 
     /// The disturbance of mode `j` at the end of a step, scaled.
-    pub(super) fn disturbance(&self, j: usize, step: usize) -> Vec<Complex<f64>> {
+    fn disturbance(&self, j: usize, step: usize) -> Vec<Complex<f64>> {
         let columns = &self.samples[step % self.samples.len()];
         let [re, im] = self.parts.each_ref().map(|part| columns * part.col(j));
         let entries = re.iter().zip(im.iter());
