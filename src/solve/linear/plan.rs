@@ -30,9 +30,11 @@ const VALUE: f64 = 50.0;
 const AFFORDABLE_FREEDOMS: f64 = 1e10;
 /// Factors with pivots that wait take more than was planned, by so much.
 pub(super) const DELAYED: f64 = 1.2;
-/// Products of a linear solve on a mapped grid after which factors are tried instead:
-/// preconditioners that average over time are good there, or not at all.
+/// Products of a linear solve on a mapped grid after which factors are tried instead, and more if
+/// these take longer: preconditioners that average over time are good there, or not at all.
 const LIMIT_IF_MAPPED: usize = 40;
+/// Multiply-adds of dense kernels that take as long as one of those that products are counted by.
+const DENSE: usize = 12;
 /// So few numbers are not worth the trouble.
 pub(super) const SMALL: f64 = 1500.0;
 
@@ -85,7 +87,7 @@ impl Plan {
                 } else if falls_back {
                     let limit = match equations.grid().map().is_identity() {
                         true => products.clamp(ITERATION_LIMIT, LARGEST_ITERATION_LIMIT),
-                        false => LIMIT_IF_MAPPED,
+                        false => (products / DENSE).clamp(LIMIT_IF_MAPPED, LARGEST_ITERATION_LIMIT),
                     };
                     Choice::IterativeFirst {
                         work: cost.work,

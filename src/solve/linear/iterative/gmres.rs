@@ -2,6 +2,7 @@
 //! unknowns, not by residuals, in which stiff directions drown soft ones. See docs/theory.md,
 //! section 8.3.
 
+use super::learnt::Learnt;
 use super::least_squares::LeastSquares;
 use super::long_vectors::{Parts, SMALLEST_SHARE, Vectors, small_norm};
 use crate::error::Result;
@@ -59,6 +60,8 @@ pub(crate) struct GmresWorkspace {
     b: Vec<f64>,
     /// What is left of it, preconditioned.
     rest: Vec<f64>,
+    /// What the last cycle found of the operator, and the inner product in which it did.
+    found: Option<(LeastSquares, [usize; 2], [f64; 2])>,
 }
 
 /// Vectors that are kept at least, where memory is short.
@@ -88,6 +91,14 @@ impl GmresWorkspace {
             }
         }
         Ok(())
+    }
+
+    /// What the last cycle has found of the operator, of vectors of so many entries, with the
+    /// memory for these.
+    pub(super) fn learnt(&mut self, entries: usize) -> Option<Learnt> {
+        let (hessenberg, ends, weights) = self.found.take()?;
+        let basis = std::mem::take(&mut self.basis);
+        Some(Learnt::new(basis, hessenberg, (ends, weights), entries))
     }
 }
 
@@ -120,6 +131,7 @@ pub(crate) fn gmres(
         copy.clear();
         copy.extend_from_slice(rhs);
     }
+    workspace.found = None;
     operator.precondition(&mut workspace.rest);
     if options.parts == Parts::Balanced {
         // The solution's two parts are about as large as those of this.
@@ -186,7 +198,12 @@ impl<P: Preconditioned> Run<'_, P> {
             options,
             ..
         } = self;
-        let GmresWorkspace { basis, b, rest } = &mut *self.workspace;
+        let GmresWorkspace {
+            basis,
+            b,
+            rest,
+            found: of_operator,
+        } = &mut *self.workspace;
         let (size, found) = (x.len(), vectors.norm(x));
         let products = (options.restart).min(options.iteration_limit - self.end.iterations);
         vectors.sums(&mut basis[..size], 1, |first, v, _| {
@@ -252,6 +269,7 @@ impl<P: Preconditioned> Run<'_, P> {
         } else {
             1.0
         };
+        *of_operator = Some((least, vectors.ends, vectors.weights));
         Some(left)
     }
 }

@@ -24,11 +24,7 @@ impl LeastSquares {
     /// Adds a column of the matrix, and its entry `below` the diagonal. `false` if that is zero,
     /// and nothing to be added.
     pub fn push(&mut self, mut column: Vec<f64>, below: f64) -> bool {
-        for (i, (c, s)) in self.rotations.iter().enumerate() {
-            let (upper, lower) = (column[i], column[i + 1]);
-            column[i] = c * upper + s * lower;
-            column[i + 1] = c * lower - s * upper;
-        }
+        self.rotate(&mut column);
         let j = self.rotations.len();
         let diagonal = column[j].hypot(below);
         if diagonal == 0.0 {
@@ -42,6 +38,27 @@ impl LeastSquares {
         self.rotated[j] = c * last;
         self.rotated.push(-s * last);
         true
+    }
+
+    /// Columns so far.
+    pub fn products(&self) -> usize {
+        self.rotations.len()
+    }
+
+    /// `x = Qᵀ x`, of the rotations that make the triangle.
+    pub fn rotate(&self, x: &mut [f64]) {
+        for (i, (c, s)) in self.rotations.iter().enumerate() {
+            let (upper, lower) = (x[i], x[i + 1]);
+            (x[i], x[i + 1]) = (c * upper + s * lower, c * lower - s * upper);
+        }
+    }
+
+    /// `x = Q x`.
+    pub fn rotate_back(&self, x: &mut [f64]) {
+        for (i, (c, s)) in self.rotations.iter().enumerate().rev() {
+            let (upper, lower) = (x[i], x[i + 1]);
+            (x[i], x[i + 1]) = (c * upper - s * lower, s * upper + c * lower);
+        }
     }
 
     /// What is sought.

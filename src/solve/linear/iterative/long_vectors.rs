@@ -133,22 +133,33 @@ impl Vectors<'_> {
         counts.fold(1.0, f64::min)
     }
 
-    /// Takes from `w` its parts along orthonormal `basis` vectors, once more where rounding leaves
-    /// much of them; returns these parts, and the length of what is left.
-    pub fn project_out(&self, basis: &[f64], w: &mut [f64]) -> (Vec<f64>, f64) {
+    /// Parts of `w` along orthonormal `basis` vectors.
+    pub fn along(&self, basis: &[f64], w: &mut [f64]) -> Vec<f64> {
         let count = basis.len() / w.len();
         self.workers.work().spend(PROJECTION * basis.len() as f64);
         let basis = Columns::new(basis, w.len(), count);
-        let along = |first: usize, w: &[f64], sums: &mut [f64]| {
-            for (part, weight) in self.parts(first, w.len()) {
-                basis.along(first + part.start, &w[part], weight, sums);
-            }
-        };
-        let mut parts = self.sums(w, count, |first, w, sums| along(first, w, sums));
+        self.sums(w, count, |first, w, sums| {
+            self.along_piece(basis, first, w, sums)
+        })
+    }
+
+    /// The same of a piece that starts at `first`.
+    fn along_piece(&self, basis: Columns, first: usize, w: &[f64], sums: &mut [f64]) {
+        for (part, weight) in self.parts(first, w.len()) {
+            basis.along(first + part.start, &w[part], weight, sums);
+        }
+    }
+
+    /// Takes from `w` its parts along orthonormal `basis` vectors, once more where rounding leaves
+    /// much of them; returns these parts, and the length of what is left.
+    pub fn project_out(&self, basis: &[f64], w: &mut [f64]) -> (Vec<f64>, f64) {
+        let mut parts = self.along(basis, w);
+        let count = parts.len();
+        let basis = Columns::new(basis, w.len(), count);
         let mut rest = self.sums(w, count + 1, |first, w, sums| {
             basis.add(first, w, &parts, -1.0);
             let (rest, length) = sums.split_at_mut(count);
-            along(first, w, rest);
+            self.along_piece(basis, first, w, rest);
             length[0] = self.square(first, w);
         });
         let length = rest.pop().unwrap_or(0.0).sqrt();

@@ -32,6 +32,7 @@ mod interface;
 mod lane_blocks;
 mod lanes;
 mod layout;
+mod learnt;
 mod least_squares;
 mod long_vectors;
 mod mean;
@@ -64,9 +65,11 @@ use crate::solve::linear::diagnosis::Singularity;
 use crate::solve::linear::slender::SLENDER;
 use crate::solve::linear::solver::LinearSolver;
 use crate::solve::report::{Timings, timed};
+use crate::work::PRODUCT;
 use factors::Factors;
 pub(crate) use gmres::{GmresOptions, GmresWorkspace, Preconditioned, gmres};
 use interface::{Bounds, LEFT_OUT, likely_work};
+use learnt::Learnt;
 pub(crate) use long_vectors::Parts;
 use operator::{Eliminated, Operator, is_solved};
 pub(crate) use outer::{Outer, SHARPEST, solve_around};
@@ -89,12 +92,14 @@ const KEPT: usize = 500_000_000;
 const MANY: usize = 10;
 /// Part of the work that is left which a preconditioner may take, if there are others.
 const SHARE: f64 = 0.25;
-/// Time-local preconditioning is cheap. It is kept where it takes no more products than this,
+/// Time-local preconditioning is cheap. It is kept where it takes no more products than take as
+/// long as the system of the joints, and these, and no more than those.
 const FEW: usize = 12;
-/// or than this, where the system of the joints would take
-const FEW_FOR_A_LARGE_INTERFACE: usize = 60;
-/// more multiply-adds than this.
-const LARGE_INTERFACE: f64 = 5e10;
+const MOST_LOCALLY: usize = 60;
+/// Products of a solve from which those after it may learn, and how many times as many as theirs it
+/// is to have taken, or it is forgotten.
+const LONG: usize = 25;
+const LITTLE: usize = 2;
 
 /// Growth of a preconditioner that means a Jacobian which may be singular.
 const SUSPECT: f64 = 1e13;
@@ -138,6 +143,8 @@ pub(crate) struct Iterative {
     /// Products that a solve may take.
     limit: usize,
     workspace: GmresWorkspace,
+    /// What a long solve with the factors has found.
+    learnt: Option<Learnt>,
     pub record: IterativeRecord,
 }
 
@@ -164,6 +171,7 @@ impl Iterative {
             first_products: None,
             limit: ITERATION_LIMIT,
             workspace: GmresWorkspace::default(),
+            learnt: None,
             record: IterativeRecord::default(),
         }
     }
@@ -193,7 +201,7 @@ impl Iterative {
         // The memory of the old ones first.
         self.factors = None;
         (self.transposed, self.transposed_with) = (None, 0);
-        self.first_products = None;
+        (self.first_products, self.learnt) = (None, None);
         self.is_scaled = false;
         self.eliminated = None;
         self.tangent.set_resultant_scale(1.0);
@@ -243,11 +251,9 @@ impl Iterative {
             return vec![body, local(most)];
         };
         let work = likely_work(free, equations.grid().points());
-        let few = if work < LARGE_INTERFACE {
-            FEW
-        } else {
-            FEW_FOR_A_LARGE_INTERFACE
-        };
+        // What takes no longer than the system of the joints is no loss.
+        let numbers = equations.layout().motions().len() as f64;
+        let few = ((work / (PRODUCT * numbers)) as usize).clamp(FEW, MOST_LOCALLY);
         if self.direct_work.is_some_and(|direct| direct < work) {
             return vec![local(few)];
         }
@@ -321,8 +327,14 @@ impl Iterative {
                 factors.scale_resultants(&mut self.tangent, &unknowns, size);
                 self.is_scaled = true;
                 self.eliminated = None;
+                self.learnt = None;
             }
             unknowns.extend_from_slice(scalars);
+            self.learnt = self
+                .learnt
+                .take()
+                .filter(|learnt| learnt.is_of(unknowns.len()));
+            let learnt = self.learnt.as_ref().map_or(0, Learnt::products);
             if let (Some(borders), None) = (borders, &self.eliminated) {
                 self.eliminated = Eliminated::new(borders, factors, size + resultants);
             }
@@ -338,6 +350,7 @@ impl Iterative {
                 essential: size,
                 parts: Parts::of(self.slenderness, accuracy),
                 restart: (KEPT / size_of_val(&unknowns[..]))
+                    .saturating_sub(learnt)
                     .clamp(RESTART, self.limit.max(RESTART)),
             };
             let mut operator = Operator {
@@ -345,6 +358,7 @@ impl Iterative {
                 tangent: &mut self.tangent,
                 factors,
                 borders,
+                learnt: self.learnt.as_ref(),
             };
             let workers = equations.workers();
             let end = gmres(
@@ -355,11 +369,20 @@ impl Iterative {
                 &mut self.workspace,
             )?;
             self.record.products.push(end.iterations);
-            self.count_bytes(end.iterations.min(options.restart), unknowns.len());
+            let kept = learnt + end.iterations.min(options.restart);
+            self.count_bytes(kept, unknowns.len());
             timings.substitution += began.elapsed();
             equations.workers().pulse()?;
             let solved = is_solved(&end, accuracy, equations);
             let first = *self.first_products.get_or_insert(end.iterations);
+            if solved && learnt == 0 && end.iterations >= LONG {
+                self.learnt = self.workspace.learnt(unknowns.len());
+            } else if learnt > 0 && (!solved || LITTLE * end.iterations > learnt) {
+                self.learnt = None;
+            }
+            if !solved && learnt > 0 {
+                continue;
+            }
             if solved {
                 let (of_grid, scalars) = rhs.split_at_mut(size);
                 of_grid.copy_from_slice(&unknowns[..size]);

@@ -4,6 +4,7 @@
 use super::ROUGH;
 use super::factors::Factors;
 use super::gmres::{GmresEnd, Preconditioned};
+use super::learnt::Learnt;
 use crate::collocation::{Collocation, Tangent};
 use crate::solve::linear::borders::Borders;
 use crate::work::PRODUCT;
@@ -20,6 +21,23 @@ pub(super) struct Operator<'a> {
     pub factors: &'a mut Factors,
     /// With these, and what the factors make of them.
     pub borders: Option<(&'a Borders, &'a Eliminated)>,
+    /// What solves before have found of this.
+    pub learnt: Option<&'a Learnt>,
+}
+
+impl Operator<'_> {
+    /// `P⁻¹ y`.
+    fn precondition_alone(&mut self, y: &mut [f64]) {
+        let size = self.equations.size();
+        let Some((borders, eliminated)) = self.borders else {
+            self.factors.apply(y, size);
+            self.equations.project(y);
+            return;
+        };
+        let end = y.len() - borders.count();
+        self.factors.apply(&mut y[..end], size);
+        borders.substitute_with(&eliminated.columns, &eliminated.inverse, y);
+    }
 }
 
 impl Preconditioned for Operator<'_> {
@@ -39,15 +57,10 @@ impl Preconditioned for Operator<'_> {
     }
 
     fn precondition(&mut self, y: &mut [f64]) {
-        let size = self.equations.size();
-        let Some((borders, eliminated)) = self.borders else {
-            self.factors.apply(y, size);
-            self.equations.project(y);
-            return;
-        };
-        let end = y.len() - borders.count();
-        self.factors.apply(&mut y[..end], size);
-        borders.substitute_with(&eliminated.columns, &eliminated.inverse, y);
+        self.precondition_alone(y);
+        if let Some(learnt) = self.learnt {
+            learnt.apply(y, self.equations.workers());
+        }
     }
 }
 
