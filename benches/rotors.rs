@@ -1,7 +1,8 @@
 //! Rotors of like blades, drawn from a seed, solved in whole and by what is left of one blade:
 //! processor times on one thread, side by side, and bytes of the linear equations.
 //!
-//! `ROTORS` says how many of each number of blades (8), `ADAPTIVE` that grids are not given.
+//! `ROTORS` says how many of each number of blades (8), `BLADES` which number alone, `ADAPTIVE` that
+//! grids are not given, `PHASES` that the milliseconds of each phase are printed, too.
 
 mod common;
 #[path = "../tests/common/random.rs"]
@@ -82,7 +83,33 @@ fn compare(kind: &RotorKind, options: &[PeriodicOptions; 2]) -> f64 {
         1e3 * all,
         1e3 * one
     );
+    if var("PHASES").is_ok() {
+        for solution in [&whole, &reduced] {
+            print_phases(solution);
+        }
+    }
     ratio
+}
+
+/// Milliseconds of each phase of a solve.
+fn print_phases(solution: &Solution) {
+    let solve = solution.details();
+    let t = solve.timings;
+    let known = [
+        ("guess", solve.guess_time),
+        ("analysis", t.analysis),
+        ("assembly", t.assembly),
+        ("factors", t.factorisation),
+        ("preconditioner", t.preconditioner),
+        ("interface", t.interface),
+        ("substitution", t.substitution),
+        ("estimates", t.estimates),
+    ];
+    let other = solve.total_time - known.iter().map(|(_, time)| *time).sum::<Duration>();
+    for (name, time) in known.into_iter().chain([("other", other)]) {
+        print!("  {name}{:6.2}", 1e3 * time.as_secs_f64());
+    }
+    println!();
 }
 
 fn main() {
@@ -90,7 +117,11 @@ fn main() {
     println!(
         "blades × elements, N all one, all [ms] one [ms] ratio, all [MB] one [MB], difference"
     );
+    let only = var("BLADES").ok().and_then(|count| count.parse().ok());
     for blades in [5, 4, 3] {
+        if only.is_some_and(|only: usize| only != blades) {
+            continue;
+        }
         let options = match var("ADAPTIVE").is_ok() {
             true => [(); 2].map(|()| PeriodicOptions::default()),
             false => {
