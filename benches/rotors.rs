@@ -1,8 +1,8 @@
 //! Rotors of like blades, drawn from a seed, solved in whole and by what is left of one blade:
 //! processor times on one thread, side by side, and bytes of the linear equations.
 //!
-//! `ROTORS` says how many of each number of blades (8), `BLADES` which number alone, `ADAPTIVE` that
-//! grids are not given, `PHASES` that the milliseconds of each phase are printed, too.
+//! `ROTORS` says how many of each number of blades (8), `BLADES` which number alone, `ADAPTIVE`
+//! that grids are not given, `PHASES` that the milliseconds of each phase are printed, too.
 
 mod common;
 #[path = "../tests/common/random.rs"]

@@ -248,6 +248,11 @@ impl Defect {
             nodes,
         };
         defect.repeat_forces(leaders);
+        if let Some(leaders) = leaders {
+            let (count, elements, layout) = (defect.count, system.elements(), system.layout(1));
+            let place = |e: usize, k: usize| k * count + layout.element(&elements[e]).start;
+            leaders.repeat_own(place, &mut defect.rows);
+        }
         Ok(defect)
     }
 

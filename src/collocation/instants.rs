@@ -28,22 +28,31 @@ pub(super) struct Instants {
     pub(super) resultants: Vec<Vector6<f64>>,
 }
 
+/// Whether an element is to be evaluated at a grid point.
+pub(super) type Wanted<'a> = dyn Fn(usize, usize) -> bool + Sync + 'a;
+
 impl Instants {
+    /// Whether gravity is the same at all grid points.
+    pub(super) fn is_gravity_constant(&self) -> bool {
+        let count = self.system.signals();
+        let at = |k: usize| self.system.gravity(&self.signals[k * count..][..count]);
+        (1..self.points).all(|k| at(k) == at(0))
+    }
+
     /// The system.
     pub(super) fn system(&self) -> &System {
         &self.system
     }
 
     /// Writes the equations of a share, not scaled: forces on its nodes, and what the elements ask
-    /// of their own unknowns. Each element is evaluated at so many grid points as `wanted` says,
-    /// from the first on; at all if it says nothing.
+    /// of their own unknowns. Elements are evaluated at the grid points where they are `wanted`.
     pub(super) fn forces(
         &self,
         share: &Share,
         state: &GridState,
         workspace: &mut Workspace,
         (forces, own): (&mut [f64], &mut [Option<&mut [f64]>]),
-        (wanted, workers): (&[usize], &Workers),
+        (wanted, workers): (&Wanted, &Workers),
     ) -> Result<()> {
         forces.fill(0.0);
         for (&index, own) in share.elements.iter().zip(own) {
@@ -51,7 +60,7 @@ impl Instants {
             let placed = &self.system.elements()[index];
             let nodes = placed.element.nodes();
             let count = placed.element.own_unknowns();
-            for k in 0..wanted.get(index).copied().unwrap_or(self.points) {
+            for k in (0..self.points).filter(|&k| wanted(index, k)) {
                 let contribution = self.evaluate(placed, k, state, workspace)?;
                 share.add_forces(contribution, nodes, (k, self.points), forces);
                 if let Some(own) = own {

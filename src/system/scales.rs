@@ -2,9 +2,10 @@
 //! See docs/theory.md, section 5.4.
 
 use super::System;
-use crate::elements::{Coordinate, Measure, NodeState, StressLaw};
+use crate::elements::{Coordinate, Measure, NodeState, StressLaw, Unknown};
 use crate::error::Result;
 use nalgebra::Vector6;
+use std::f64::consts::TAU;
 
 /// Characteristic length, mass and force of a system in its reference configuration.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -101,6 +102,27 @@ impl Scales {
 }
 
 impl System {
+    /// Scales of the equation and of the unknown of an own unknown of an element: equations times
+    /// the first, and unknowns over the second, have no units.
+    pub fn own_scales(&self, place: usize) -> [f64; 2] {
+        let (length, force) = (self.scales().length, self.scales().force);
+        let scale = |measure: Measure| match measure {
+            Measure::Length => (length, force),
+            Measure::Angle => (1.0, force * length),
+        };
+        match self.unknown(place) {
+            Unknown::Multiplier(measure) => {
+                let (motion, effort) = scale(measure);
+                [1.0 / motion, effort]
+            }
+            Unknown::State { measure, .. } => {
+                let (motion, effort) = scale(measure);
+                [1.0 / effort, motion]
+            }
+            Unknown::UserState => [self.period() / TAU, 1.0],
+        }
+    }
+
     /// Axial or shear stiffness of beams relative to that in bending or torsion, for curvatures
     /// over the characteristic length: the largest of all stations, zero without beams.
     pub fn slenderness(&self) -> f64 {

@@ -10,6 +10,10 @@ use std::f64::consts::TAU;
 pub struct AlikeMotions {
     blades: usize,
     nodes: Vec<Option<Step>>,
+    /// Of each node: whether it is of supports, whose increments are the same in all parts.
+    still: Vec<bool>,
+    /// Of each node: whether it is such a one on which no blade acts.
+    apart: Vec<bool>,
     /// Of own unknowns of each element that acts on hub and supports alone.
     own: Vec<Option<OwnStep>>,
     /// Of each element: whether it does the same in all parts of the period.
@@ -37,20 +41,48 @@ impl AlikeMotions {
         own: Vec<Option<OwnStep>>,
         elements: &[Placed],
     ) -> Self {
-        let is_still = |&node: &usize| {
-            let step: &Option<Step> = &nodes[node];
+        let is_still = |step: &Option<Step>| {
             step.as_ref()
                 .is_some_and(|step| step.forth == Matrix6::identity())
         };
+        let still: Vec<bool> = nodes.iter().map(is_still).collect();
         let repeats = elements.iter().map(|placed| {
             let element = &placed.element;
-            element.own_unknowns() == 0 && element.nodes().iter().all(is_still)
+            element.own_unknowns() == 0 && element.nodes().iter().all(|&node| still[node])
         });
+        let mut apart = still.clone();
+        for placed in elements {
+            let all = placed.element.nodes();
+            if all.iter().any(|&node| nodes[node].is_none()) {
+                all.iter().for_each(|&node| apart[node] = false);
+            }
+        }
         AlikeMotions {
             repeats: repeats.collect(),
+            apart,
+            still,
             blades,
             nodes,
             own,
+        }
+    }
+
+    /// Number of blades.
+    pub fn blades(&self) -> usize {
+        self.blades
+    }
+
+    /// Whether a node is of supports, whose increments are the same in all parts of the period.
+    pub fn is_still(&self, node: usize) -> bool {
+        self.still[node]
+    }
+
+    /// Grid points, of so many from the first on, that tell what acts between these nodes; and how
+    /// many parts of the period these stand for.
+    pub fn told(&self, nodes: &[usize], points: usize) -> (usize, f64) {
+        match nodes.iter().all(|&node| self.apart[node]) {
+            true => (points / self.blades, self.blades as f64),
+            false => (points, 1.0),
         }
     }
 
@@ -89,13 +121,19 @@ impl AlikeMotions {
             let Some(step) = step else {
                 continue;
             };
+            let is_still = self.still[node];
             for k in 0..part {
                 // f(t) = T⁻ᵀ f(t + T/B)
                 let mut sum = Vector6::zeros();
                 for q in (0..self.blades).rev() {
                     let here =
                         Vector6::from_column_slice(&forces[layout.motion(node, k + q * part)]);
-                    sum = step.back.tr_mul(&sum) + here;
+                    let carried = if is_still {
+                        sum
+                    } else {
+                        step.back.tr_mul(&sum)
+                    };
+                    sum = carried + here;
                 }
                 let mean = sum / self.blades as f64;
                 forces[layout.motion(node, k)].copy_from_slice(mean.as_slice());
@@ -116,17 +154,22 @@ impl AlikeMotions {
             let Some(step) = step else {
                 continue;
             };
+            let is_still = self.still[node];
+            let carry = |matrix: &Matrix6<f64>, x: Vector6<f64>| match is_still {
+                true => x,
+                false => matrix * x,
+            };
             let at = |k: usize| layout.motion(node, k).start;
             for k in 0..part {
                 let mut sum = Vector6::zeros();
                 for q in (0..self.blades).rev() {
-                    sum =
-                        step.forth * sum + Vector6::from_column_slice(&x[at(k + q * part)..][..6]);
+                    let here = Vector6::from_column_slice(&x[at(k + q * part)..][..6]);
+                    sum = carry(&step.forth, sum) + here;
                 }
                 let mut mean = sum / self.blades as f64;
                 for q in 0..self.blades {
                     x[at(k + q * part)..][..6].copy_from_slice(mean.as_slice());
-                    mean = step.back * mean;
+                    mean = carry(&step.back, mean);
                 }
             }
         }
@@ -171,7 +214,10 @@ impl AlikeMotions {
             };
             for k in part..layout.points() {
                 let before = Vector6::from_column_slice(&forces[layout.motion(node, k - part)]);
-                let here = step.forth.tr_mul(&before);
+                let here = match self.still[node] {
+                    true => before,
+                    false => step.forth.tr_mul(&before),
+                };
                 forces[layout.motion(node, k)].copy_from_slice(here.as_slice());
             }
         }

@@ -212,10 +212,7 @@ impl All {
             places: HashMap::new(),
             asked: Vec::with_capacity(system.elements().len()),
         };
-        let count = system.signals();
-        let signals = equations.signals();
-        let gravity = |k: usize| system.gravity(&signals[k * count..][..count]);
-        let is_plain = (1..points).all(|k| gravity(k) == gravity(0));
+        let is_plain = equations.instants.is_gravity_constant();
         for placed in system.elements() {
             let has_own = placed.element.own_unknowns() > 0;
             if met && !has_own {

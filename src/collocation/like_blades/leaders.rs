@@ -5,8 +5,8 @@ use super::LikeBlades;
 use crate::elements::NodeState;
 use crate::fourier::TimeGrid;
 use crate::motion::Motion;
-use crate::system::System;
-use nalgebra::{Matrix6, Vector6};
+use crate::system::{ElementRole, System};
+use nalgebra::{DMatrix, DVector, Matrix6, Vector6};
 
 /// Where elements matter to the leaders: all else has forces and motions that follow from theirs.
 #[derive(Debug, Clone)]
@@ -16,7 +16,15 @@ pub struct Leaders {
     of_elements: Vec<usize>,
     /// Of each node: for each part of the period what carries twists from the leader, if anything.
     carries: Vec<Vec<Option<Carried>>>,
+    /// Of each node: whether all that acts on it there is a matter of motions alone.
+    by_motions: Vec<bool>,
+    /// Of each element with own unknowns whose equations are known from those of its leader: for
+    /// each part of the period what carries these there; none where they are the same.
+    own: Vec<Option<OwnCarries>>,
 }
+
+/// The number of own unknowns of an element, and what carries their equations.
+type OwnCarries = (usize, Vec<Option<DMatrix<f64>>>);
 
 /// What carries the motion of a leader to a follower, and twists.
 #[derive(Debug, Clone, Copy)]
@@ -32,9 +40,10 @@ impl Leaders {
     pub fn new(system: &System, left: &LikeBlades) -> Self {
         let points = left.blades * left.part;
         let mut of_elements = left.wanted(system);
-        for (wanted, placed) in of_elements.iter_mut().zip(system.elements()) {
-            // Own equations of followers are not made of those of leaders.
-            if placed.element.own_unknowns() > 0 {
+        let own = (0..of_elements.len()).map(|element| own_carries(system, left, element));
+        let own: Vec<_> = own.collect();
+        for ((wanted, placed), own) in of_elements.iter_mut().zip(system.elements()).zip(&own) {
+            if placed.element.own_unknowns() > 0 && own.is_none() {
                 *wanted = points;
             }
         }
@@ -49,7 +58,22 @@ impl Leaders {
             });
             carried.collect()
         });
+        let mut by_motions = vec![true; left.nodes.len()];
+        for placed in system.elements() {
+            let is_by_motions = match placed.role {
+                ElementRole::Inertia | ElementRole::Beam(_) | ElementRole::Shell(_) => {
+                    placed.element.own_unknowns() == 0
+                }
+                ElementRole::MassDamping => true,
+                _ => false,
+            };
+            for &node in placed.element.nodes() {
+                by_motions[node] &= is_by_motions;
+            }
+        }
         Leaders {
+            own,
+            by_motions,
             of_elements,
             carries: carries.collect(),
             left: left.clone(),
@@ -74,6 +98,20 @@ impl Leaders {
     /// Whether a node leads.
     pub fn leads(&self, node: usize) -> bool {
         self.left.nodes[node].leader == node
+    }
+
+    /// How many grid points one stands for where it is to be seen whether forces on a node are
+    /// those that follow from its leader: none if it is not looked at. Where these are a matter of
+    /// motions alone, and of constant gravity, each blade that follows is looked at at its share of
+    /// the points.
+    pub fn stands_for(&self, node: usize, k: usize) -> usize {
+        let blade = self.left.nodes[node].parts[0].0;
+        let followers = self.left.blades - 1;
+        match blade == 0 || !self.by_motions[node] {
+            true => 1,
+            false if k % followers == blade - 1 => followers,
+            false => 0,
+        }
     }
 
     /// Whether a node leads, and not only follows itself, at a grid point.
@@ -112,6 +150,38 @@ impl Leaders {
         }
     }
 
+    /// Writes the equations of own unknowns of all that follows from those of what leads, not
+    /// scaled; `place` tells the first of an element at a grid point.
+    pub(in crate::collocation) fn repeat_own(
+        &self,
+        place: impl Fn(usize, usize) -> usize,
+        rows: &mut [f64],
+    ) {
+        let part = self.left.part;
+        for (element, own) in self.own.iter().enumerate() {
+            let Some((count, own)) = own else {
+                continue;
+            };
+            let (count, follower) = (*count, &self.left.elements[element]);
+            for k in 0..self.left.blades * part {
+                let from = follower.parts[k / part].0 * part + k % part;
+                if (follower.leader, from) == (element, k) {
+                    continue;
+                }
+                let (there, here) = (place(follower.leader, from), place(element, k));
+                match &own[k / part] {
+                    None => rows.copy_within(there..there + count, here),
+                    Some(carry) => {
+                        for i in 0..count {
+                            let row = (0..count).map(|j| carry[(i, j)] * rows[there + j]);
+                            rows[here + i] = row.sum();
+                        }
+                    }
+                }
+            }
+        }
+    }
+
     /// Writes increments, and those of velocities, of other nodes from those of nodes that lead, at
     /// the same places as states.
     pub(in crate::collocation) fn repeat_changes(&self, changes: &mut [[Vector6<f64>; 2]]) {
@@ -144,4 +214,28 @@ impl Leaders {
             }
         }
     }
+}
+
+/// What carries the equations of own unknowns of the leader of an element to its own, not scaled,
+/// for each part of the period. None if it has none, or that is not known.
+fn own_carries(system: &System, left: &LikeBlades, element: usize) -> Option<OwnCarries> {
+    let placed = &system.elements()[element];
+    let count = placed.element.own_unknowns();
+    if count == 0 {
+        return None;
+    }
+    // Work of equations and unknowns is the same: with those of the leader times `C`, equations are
+    // those of the leader times `C⁻ᵀ`.
+    let scales = DVector::from_fn(count, |i, _| system.own_scales(placed.first_own + i)[0]);
+    let carried = |carry: &Option<DMatrix<f64>>| match carry {
+        None => Some(None),
+        Some(carry) => {
+            let inverse = carry.clone().try_inverse()?.transpose();
+            let unscaled = inverse.map_with_location(|i, j, x| x * scales[j] / scales[i]);
+            Some(Some(unscaled))
+        }
+    };
+    let parts = left.elements[element].parts.iter();
+    let all: Option<Vec<_>> = parts.map(|(_, carry)| carried(carry)).collect();
+    Some((count, all?))
 }

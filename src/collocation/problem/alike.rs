@@ -3,6 +3,8 @@
 
 use super::Collocation;
 use crate::collocation::like_blades::{AlikeMotions, Leaders};
+use crate::collocation::state::GridState;
+use crate::error::Result;
 use std::sync::Arc;
 
 impl Collocation {
@@ -16,6 +18,14 @@ impl Collocation {
         self.alike.as_ref()
     }
 
+    /// Grid points, from the first on, that tell what acts between these nodes, and what it counts
+    /// there: on supports those of a part of the period, for all parts.
+    pub(crate) fn told(&self, nodes: &[usize]) -> (usize, f64) {
+        let points = self.layout.points();
+        let alike = self.alike.as_ref();
+        alike.map_or((points, 1.0), |alike| alike.told(nodes, points))
+    }
+
     /// From now on takes states for alike at all blades: residuals are found from what leads. Gives
     /// what was said before.
     pub(crate) fn set_leaders(&mut self, leaders: Option<Arc<Leaders>>) -> Option<Arc<Leaders>> {
@@ -27,14 +37,48 @@ impl Collocation {
         self.leaders.as_ref()
     }
 
-    /// Writes by how much a scaled residual differs from one in which all forces follow from those
-    /// on what leads.
-    pub(crate) fn unlike(&self, leaders: &Leaders, residual: &[f64], out: &mut [f64]) {
-        let pairs = out.iter_mut().zip(residual).zip(&self.row_scale);
-        pairs.for_each(|((out, row), scale)| *out = row / scale);
-        leaders.repeat_forces(|node, k| self.layout.motion(node, k).start, out);
-        let pairs = out.iter_mut().zip(residual).zip(&self.row_scale);
-        pairs.for_each(|((out, row), scale)| *out = row - *out * scale);
+    /// Writes by how much the scaled equations differ from those that follow from what leads, in a
+    /// state in which blades move alike.
+    ///
+    /// Where nothing but their motions acts on followers, what tells them apart shows at some times
+    /// as it does at others: each is looked at at its share of the grid points there.
+    pub(crate) fn unlike(
+        &mut self,
+        leaders: &Arc<Leaders>,
+        state: &GridState,
+        out: &mut [f64],
+    ) -> Result<()> {
+        let before = self.set_leaders(Some(leaders.clone()));
+        self.update_kinematics(state);
+        self.set_leaders(before);
+        let (system, layout) = (self.system.clone(), self.layout);
+        let looks_at_all = system.calls_functions() || !self.instants.is_gravity_constant();
+        let stands_for = |node: usize, k: usize| match looks_at_all {
+            true => 1,
+            false => leaders.stands_for(node, k),
+        };
+        let mut rows = vec![0.0; self.size()];
+        self.forces_where(state, &mut rows, &|element, k| {
+            let element = &system.elements()[element].element;
+            let mut nodes = element.nodes().iter();
+            element.own_unknowns() > 0 || nodes.any(|&node| stands_for(node, k) > 0)
+        })?;
+        let elements = system.elements();
+        out.fill(0.0);
+        let out = &mut out[..rows.len()];
+        out.copy_from_slice(&rows);
+        leaders.repeat_forces(|node, k| layout.motion(node, k).start, out);
+        leaders.repeat_own(|e, k| layout.element_at(&elements[e], k).start, out);
+        let all = out.iter_mut().zip(&rows).zip(&self.row_scale);
+        all.for_each(|((out, row), scale)| *out = (row - *out) * scale);
+        for node in 0..system.nodes() {
+            for k in 0..layout.points() {
+                let count = stands_for(node, k) as f64;
+                let rows = &mut out[layout.motion(node, k)];
+                rows.iter_mut().for_each(|row| *row *= count);
+            }
+        }
+        Ok(())
     }
 
     /// Takes from unknowns what is not alike, if motions have to be.

@@ -14,16 +14,15 @@ pub use oversampled::{Oversampled, OversampledTangent};
 pub use scalars::ScalarEquations;
 
 use super::division::Division;
-use super::instants::Instants;
+use super::instants::{Instants, Wanted};
 use super::like_blades::{AlikeMotions, Leaders};
 use super::rule::{TimeRule, over};
 use super::state::GridState;
-use crate::elements::{InertialForces, Measure, NodeState, Unknown};
+use crate::elements::{InertialForces, NodeState};
 use crate::error::Result;
 use crate::fourier::{Slope, TimeGrid};
 use crate::system::{Layout, System, Workspace};
 use crate::workers::{Workers, parts};
-use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// Scaled compliance of dependent constraints in the Jacobian. Newton's method loses this factor,
@@ -110,26 +109,9 @@ impl Collocation {
             let count = placed.element.own_unknowns();
             for _ in 0..points {
                 for row in 0..count {
-                    let scale = |measure: Measure| match measure {
-                        Measure::Length => (length, force),
-                        Measure::Angle => (1.0, force * length),
-                    };
-                    match system.unknown(placed.first_own + row) {
-                        Unknown::Multiplier(measure) => {
-                            let (motion, effort) = scale(measure);
-                            row_scale.push(1.0 / motion);
-                            column_scale.push(effort);
-                        }
-                        Unknown::State { measure, .. } => {
-                            let (motion, effort) = scale(measure);
-                            row_scale.push(1.0 / effort);
-                            column_scale.push(motion);
-                        }
-                        Unknown::UserState => {
-                            row_scale.push(system.period() / TAU);
-                            column_scale.push(1.0);
-                        }
-                    }
+                    let [row_factor, column_factor] = system.own_scales(placed.first_own + row);
+                    row_scale.push(row_factor);
+                    column_scale.push(column_factor);
                 }
             }
         }
@@ -439,6 +421,25 @@ impl Collocation {
             return oversampled.residual(state, out);
         }
         self.update_kinematics(state);
+        match self.leaders.clone() {
+            None => self.forces_where(state, out, &|_, _| true)?,
+            Some(leaders) => {
+                let of_elements = leaders.of_elements();
+                self.forces_where(state, out, &|element, k| k < of_elements[element])?;
+                let (layout, elements) = (self.layout, self.system.elements());
+                leaders.repeat_forces(|node, k| layout.motion(node, k).start, out);
+                leaders.repeat_own(|e, k| layout.element_at(&elements[e], k).start, out);
+            }
+        }
+        for (value, scale) in out.iter_mut().zip(&self.row_scale) {
+            *value *= scale;
+        }
+        Ok(())
+    }
+
+    /// Writes the equations at the present kinematics, not scaled, of elements where they are
+    /// wanted.
+    fn forces_where(&mut self, state: &GridState, out: &mut [f64], wanted: &Wanted) -> Result<()> {
         let points = self.grid.points();
         let system = &self.system;
         let (forces, constraints) = out.split_at_mut(self.layout.motions().end);
@@ -450,7 +451,6 @@ impl Collocation {
         let forces = self.division.split(forces, self.layout.of_node());
         let mut all: Vec<_> = forces.into_iter().zip(own).collect();
         let (instants, division) = (&self.instants, &self.division);
-        let wanted = self.leaders.as_ref().map_or(&[][..], |l| l.of_elements());
         division.workers.try_for_each(
             &mut all,
             &mut self.forces_only,
@@ -460,14 +460,6 @@ impl Collocation {
                 let asked = (wanted, workers);
                 instants.forces(share, state, workspace, (forces, own), asked)
             },
-        )?;
-        if let Some(leaders) = &self.leaders {
-            let layout = self.layout;
-            leaders.repeat_forces(|node, k| layout.motion(node, k).start, out);
-        }
-        for (value, scale) in out.iter_mut().zip(&self.row_scale) {
-            *value *= scale;
-        }
-        Ok(())
+        )
     }
 }

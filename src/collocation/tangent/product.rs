@@ -37,6 +37,9 @@ impl Increment {
 impl Tangent {
     /// Writes the product of the scaled Jacobian and `x`. Where `x` goes on with increments of
     /// stress resultants, so does `y` with what the equations of these ask for.
+    ///
+    /// Where motions of supports have to be alike, forces between these stand at the first part of
+    /// the period, for all parts: their mean is meant.
     pub fn apply(&mut self, equations: &Collocation, x: &[f64], y: &mut [f64]) {
         let (x, resultants) = x.split_at(equations.size());
         let (y, unbalance) = y.split_at_mut(equations.size());
@@ -181,10 +184,14 @@ impl Tangent {
             .workers()
             .each(&mut stations, |index, (stresses, unbalance)| {
                 let station = &self.layout.stations[index];
+                let (told, _) = equations.told(&station.nodes);
+                let stresses = &mut stresses[..told];
                 station.stresses(&self.unknowns, &self.strains, increment, stresses);
                 let Some(unbalance) = unbalance else {
                     return;
                 };
+                let (unbalance, others) = unbalance.split_at_mut(6 * told);
+                others.fill(0.0);
                 let given = resultants[6 * points * index..].chunks_exact(6);
                 let unbalance = unbalance.chunks_exact_mut(6);
                 for ((stress, given), unbalance) in stresses.iter_mut().zip(given).zip(unbalance) {
@@ -211,15 +218,21 @@ impl Tangent {
         equations.workers().each(&mut rows, |node, forces| {
             forces.fill(0.0);
             for &pair in layout.couplings.of_row(node) {
-                self.add_coupling(pair, increment, forces);
+                let coupling = &layout.couplings.all()[pair];
+                let told = equations.told(&[coupling.row, coupling.column]);
+                self.add_coupling(pair, told, increment, forces);
             }
             for &(station, strain) in &layout.acting[node] {
-                let stresses = &stresses[station * points..][..points];
-                let strains = &self.strains[strain * points..][..points];
+                let (told, parts) = equations.told(&layout.stations[station].nodes);
+                let stresses = &stresses[station * points..][..told];
+                let strains = &self.strains[strain * points..][..told];
                 let rows = forces.chunks_exact_mut(6);
                 for ((force, strain), stress) in rows.zip(strains).zip(stresses) {
                     let sum = (strain.strain.transpose() * *stress).to_wrench();
-                    force.iter_mut().zip(&sum).for_each(|(y, f)| *y += f);
+                    force
+                        .iter_mut()
+                        .zip(&sum)
+                        .for_each(|(y, f)| *y += parts * f);
                 }
             }
         });
@@ -231,16 +244,26 @@ impl Tangent {
         y.iter_mut().zip(scales).for_each(|(y, scale)| *y *= scale);
     }
 
-    /// Adds the forces of one coupling to those of its row.
-    fn add_coupling(&self, pair: usize, increment: &Increment, forces: &mut [f64]) {
+    /// Adds the forces of one coupling to those of its row, at so many grid points, for so many
+    /// parts of the period.
+    fn add_coupling(
+        &self,
+        pair: usize,
+        (told, parts): (usize, f64),
+        increment: &Increment,
+        forces: &mut [f64],
+    ) {
         let points = self.points;
         let coupling = &self.layout.couplings.all()[pair];
         let rates = &increment.rates[coupling.column * points..][..points];
         let motions = increment.x[self.unknowns.node(coupling.column)].chunks_exact(6);
         let rows = forces.chunks_exact_mut(6).zip(motions).zip(rates);
-        for (k, ((force, u), rates)) in rows.enumerate() {
+        for (k, ((force, u), rates)) in rows.enumerate().take(told) {
             let sum = self.pair(pair, k).force(coupling.moving, u, rates);
-            force.iter_mut().zip(&sum).for_each(|(y, f)| *y += f);
+            force
+                .iter_mut()
+                .zip(&sum)
+                .for_each(|(y, f)| *y += parts * f);
         }
     }
 

@@ -51,6 +51,8 @@ struct Iteration {
     system: Arc<System>,
     blade: OneBlade,
     iterative: Iterative,
+    /// Growth of the last linearisation.
+    growth: f64,
 }
 
 /// Newton's equations by those that are left.
@@ -120,6 +122,7 @@ impl Iteration {
             system,
             blade,
             iterative,
+            growth: f64::INFINITY,
         })
     }
 
@@ -142,11 +145,16 @@ impl Iteration {
             system,
             blade,
             iterative,
+            growth,
         } = self;
         blade.follow(equations)?;
         let own = blade.state(system, state);
         let done = iterative.linearise(&mut blade.equations, &own, timings)?;
-        Ok(done && iterative.growth(&mut blade.equations) <= iterative.suspect)
+        *growth = match done {
+            true => iterative.growth(&mut blade.equations),
+            false => f64::INFINITY,
+        };
+        Ok(*growth <= iterative.suspect)
     }
 
     /// Solves in place for the unknowns that are left.
@@ -445,12 +453,7 @@ impl LinearSolver for OfLikeBlades {
     fn growth(&mut self, equations: &mut Collocation) -> f64 {
         match (&mut self.by, &mut self.whole) {
             (_, Some(whole)) if self.gave_up => whole.growth(equations),
-            (By::Iteration(iteration), _) => {
-                let Iteration {
-                    blade, iterative, ..
-                } = &mut **iteration;
-                iterative.growth(&mut blade.equations)
-            }
+            (By::Iteration(iteration), _) => iteration.growth,
             (By::Factors(factors), _) => {
                 let mut probe = probe(self.left.size());
                 match factors.solver.solve(&mut probe) {

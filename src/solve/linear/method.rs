@@ -17,6 +17,9 @@ use crate::solve::linear::slender::SLENDER;
 use crate::solve::linear::solver::{ESTIMATE, LinearSolver};
 use crate::solve::report::{Timings, timed};
 
+/// Factors of the whole that take so many times what is affordable are not tried of one blade.
+const DEAR: f64 = 4.0;
+
 enum Active {
     Direct(Box<Assembled>),
     LikeBlades(Box<OfLikeBlades>),
@@ -82,8 +85,16 @@ impl Plan {
         let whole = || -> Whole {
             Box::new(move |equations: &Collocation| Box::new(Linear::new(equations, method)))
         };
+        // Of what is left they take about as much for each number as of the whole.
+        let of_whole = equations.layout().motions().len() as f64;
+        let dear = numbers >= SMALL && plan.cost.work > DEAR * AFFORDABLE * of_whole;
+        let tries_factors = match method {
+            LinearMethod::Iterative(_) => false,
+            LinearMethod::Direct => true,
+            LinearMethod::Automatic => !dear,
+        };
         let mut by_factors = None;
-        if !matches!(method, LinearMethod::Iterative(_)) {
+        if tries_factors {
             let blades = OfLikeBlades::by_factors(equations, left.clone(), whole());
             let cost = blades.cost().unwrap_or(DirectCost::NONE);
             let cheap = numbers < SMALL || cost.work < AFFORDABLE * numbers;
@@ -93,8 +104,7 @@ impl Plan {
             }
         }
         let by_iteration = || {
-            let cost = DirectCost::of(system, points);
-            let iterated = iteration_bytes(system, points, cost);
+            let iterated = iteration_bytes(system, points, plan.cost);
             let blades = OfLikeBlades::by_iteration(equations, left, whole())?;
             // No more than by iteration on all blades.
             Some((blades, iterated))

@@ -56,6 +56,8 @@ pub(crate) struct Plan {
     pub(super) method: LinearMethod,
     pub(super) falls_back: bool,
     pub(super) most_products: usize,
+    /// What factors of the whole Jacobian would take.
+    pub(super) cost: DirectCost,
     /// Bytes of it, at most about; of iteration without a system of joints that turn.
     pub bytes: f64,
 }
@@ -109,6 +111,7 @@ impl Plan {
             method,
             falls_back,
             most_products,
+            cost,
             bytes,
         }
     }

@@ -192,6 +192,13 @@ impl<L: LinearSolver> Newton<L> {
         norm(self.equations.layout(), scaled)
     }
 
+    /// Evaluates velocities and accelerations at the last solution.
+    pub fn update_kinematics(&mut self, state: &GridState) {
+        let before = self.equations.set_leaders(self.alike.clone());
+        self.equations.update_kinematics(state);
+        self.equations.set_leaders(before);
+    }
+
     /// Counts an evaluation that takes so much for each number at a node and grid point.
     fn count_evaluation(&self, work: f64) {
         let numbers = self.equations.layout().motions().len() as f64;

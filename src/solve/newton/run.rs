@@ -145,14 +145,16 @@ impl<'a, L: LinearSolver> Run<'a, L> {
             return Ok(None);
         };
         timed(&mut timings.assembly, || {
-            equations.residual(self.state, &mut self.residual)
+            equations.unlike(leaders, self.state, &mut self.increment)
         })?;
-        equations.unlike(leaders, &self.residual, &mut self.increment);
         let tolerance = self.options.tolerance;
         if linear.is_negligible(equations, &self.increment, tolerance, timings)? {
             return Ok(None);
         }
         *alike = None;
+        timed(&mut timings.assembly, || {
+            equations.residual(self.state, &mut self.residual)
+        })?;
         self.iterate().map(Some)
     }
 

@@ -133,7 +133,7 @@ impl Periodic<'_> {
     fn estimate(&mut self, state: &mut GridState, report: &NewtonReport) -> Result<Assessment> {
         let sampled = self.on.newton.equations.oversampled().is_none();
         if sampled {
-            self.on.newton.equations.update_kinematics(state);
+            self.on.newton.update_kinematics(state);
             // Between grid points, what has no effect at them may have some.
             self.on.newton.equations.reduce_to_least_norm(state)?;
         }

@@ -229,7 +229,7 @@ impl Periodic<'_> {
         };
         on.timings.estimates += estimating.elapsed();
         let finishing = Instant::now();
-        on.newton.equations.update_kinematics(&state);
+        on.newton.update_kinematics(&state);
         report.outcome = on.watching.outcome(report.outcome);
         let assessment = self
             .assessed

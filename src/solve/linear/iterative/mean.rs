@@ -45,10 +45,11 @@ impl MeanTangent {
     fn new(equations: &Collocation, tangent: &Tangent, pair: usize) -> Self {
         let points = equations.grid().points();
         let coupling = &tangent.couplings()[pair];
+        let (told, _) = equations.told(&[coupling.row, coupling.column]);
         let mut orders = [Matrix6::zeros(); 3];
         let mut velocity = Matrix6::zeros();
         let slopes = equations.slopes();
-        for k in 0..points {
+        for k in 0..told {
             let t = tangent.pair(pair, k);
             orders[0] += t.stiffness;
             if coupling.moving {
@@ -66,8 +67,8 @@ impl MeanTangent {
             }
         }
         MeanTangent {
-            orders: orders.map(|m| m / points as f64),
-            velocity: velocity / points as f64,
+            orders: orders.map(|m| m / told as f64),
+            velocity: velocity / told as f64,
         }
     }
 }
@@ -107,11 +108,12 @@ impl MeanStrain {
         node: usize,
     ) -> Self {
         let points = equations.grid().points();
+        let (told, _) = equations.told(&station.nodes);
         let slopes = equations.slopes();
         let mean = |first: usize| {
             let mut means = [Matrix6::zeros(); 3];
             let [strain, rate, by_pseudo] = &mut means;
-            for k in 0..points {
+            for k in 0..told {
                 let t = tangent.strain(first + local, k);
                 let b = t.strain.to_twist_matrix();
                 *strain += b;
@@ -121,7 +123,7 @@ impl MeanStrain {
                     *rate += b * twist_skew(&state.twist) + t.rate.to_twist_matrix();
                 }
             }
-            means.map(|mean| mean / points as f64)
+            means.map(|mean| mean / told as f64)
         };
         let StressLaw {
             stiffness,
@@ -260,6 +262,7 @@ impl Averages<'_> {
         let mut all: Vec<Option<BlockLanes<ComplexLanes>>> = vec![None; chunks];
         // Harmonics that are aliased, of any node.
         let highest = self.aliasing.iter().map(Vec::len).max().unwrap_or(0);
+        let projections = self.projections();
         self.workers.each(&mut all, |chunk, place| {
             let used = harmonics.len() - LANES * chunk;
             let mut lanes = BlockLanes::<ComplexLanes>::new(&self.layout.structure, used);
@@ -272,9 +275,9 @@ impl Averages<'_> {
                 if below < highest {
                     self.add_aliasing(&mut lanes, lane, below);
                 }
-                if let Some(alike) = self.alike {
-                    self.project(alike, &mut lanes, lane, harmonic(lane));
-                }
+            }
+            if let Some(projections) = &projections {
+                self.project(projections, &mut lanes, &std::array::from_fn(harmonic));
             }
             if lanes.factor(&self.layout.structure, self.workers) {
                 *place = Some(lanes);

@@ -480,6 +480,7 @@ impl LinearSolver for Iterative {
         let mut product = vec![0.0; probe.len()];
         equations.average(&mut probe);
         self.tangent.apply(equations, &probe, &mut product);
+        equations.average(&mut product);
         let product = largest(&product);
         let mut response = probe.clone();
         factors.apply(&mut response, equations.size());

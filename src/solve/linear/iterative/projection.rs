@@ -3,7 +3,7 @@
 
 use super::block_lu::{BlockLanes, BlockPlace};
 use super::constraints::{Average, Class};
-use super::lanes::{ComplexLanes, Lanes};
+use super::lanes::{ComplexLanes, LANES, Lanes};
 use super::mean::Averages;
 use crate::collocation::AlikeMotions;
 use crate::system::Placed;
@@ -12,82 +12,157 @@ use nalgebra::{Complex, DMatrix};
 /// How stiffly what motions may not do is held, relative to the largest entry of all.
 const HELD: f64 = 1.0;
 
+/// What unknowns of a node or element may be in a harmonic.
+#[derive(Debug, Clone)]
+enum Allowed {
+    /// Anything.
+    All,
+    /// Nothing: what stands still is the same in all parts of the period.
+    Nothing,
+    /// What `Π` leaves.
+    Some(DMatrix<Complex<f64>>),
+}
+
+/// The same of all nodes and elements in harmonics that leave this remainder when divided by the
+/// number of blades, of which it is a matter.
+#[derive(Debug)]
+struct Remainder {
+    nodes: Vec<Allowed>,
+    /// Own unknowns.
+    own: Vec<Allowed>,
+}
+
+/// What harmonics may be, of one remainder after the other.
+#[derive(Debug)]
+pub(super) struct Projections(Vec<Remainder>);
+
+impl Projections {
+    fn of(&self, harmonic: usize) -> &Remainder {
+        &self.0[harmonic % self.0.len()]
+    }
+}
+
 impl Averages<'_> {
-    /// Leaves of hub and supports the motions and constraints that a harmonic may have, `Πᴴ A Π`,
-    /// and holds the others, by `1 − Π`.
+    /// What harmonics may be, if these are averages of one blade of several.
+    pub(super) fn projections(&self) -> Option<Projections> {
+        let alike = self.alike?;
+        let elements = || self.classes.iter().zip(self.system.elements());
+        let steps: Vec<_> = elements()
+            .map(|(class, placed)| match class {
+                Class::Averaged(average) => own_step(alike, (average, placed)),
+                _ => None,
+            })
+            .collect();
+        let remainder = |harmonic: usize| {
+            let of_node = |node: usize| match alike.of_node(node) {
+                None => Allowed::All,
+                Some(_) if alike.is_still(node) => still(harmonic),
+                Some(step) => {
+                    let step = DMatrix::from_column_slice(6, 6, step.forth.as_slice());
+                    Allowed::Some(alike.projection(&step, harmonic))
+                }
+            };
+            let of_own = |step: &Option<OwnStep>| match step {
+                None => Allowed::All,
+                Some(OwnStep::Still) => still(harmonic),
+                Some(OwnStep::Turned(step)) => Allowed::Some(alike.projection(step, harmonic)),
+            };
+            Remainder {
+                nodes: (0..self.system.nodes()).map(of_node).collect(),
+                own: steps.iter().map(of_own).collect(),
+            }
+        };
+        Some(Projections((0..alike.blades()).map(remainder).collect()))
+    }
+
+    /// Leaves of hub and supports the motions and constraints that the harmonic of each lane may
+    /// have, `Πᴴ A Π`, and holds the others, by `1 − Π`.
     pub(super) fn project(
         &self,
-        alike: &AlikeMotions,
+        projections: &Projections,
         lanes: &mut BlockLanes<ComplexLanes>,
-        lane: usize,
-        harmonic: usize,
+        harmonics: &[usize; LANES],
     ) {
-        let of_node = |node: usize| {
-            let step = alike.of_node(node)?.forth.as_slice();
-            let step = DMatrix::from_column_slice(6, 6, step);
-            Some(alike.projection(&step, harmonic))
-        };
         let structure = &self.layout.structure;
-        let mut largest = 1.0f64;
+        let remainders = harmonics.map(|harmonic| projections.of(harmonic));
+        let mut largest = [1.0f64; LANES];
         for coupling in self.couplings {
             let place = self.place(coupling);
-            let entries = (0..36).map(|i| lanes.at(place.entry(i / 6, i % 6)).get(lane).norm());
-            largest = entries.fold(largest, f64::max);
+            for entry in 0..36 {
+                let entry = lanes.at(place.entry(entry / 6, entry % 6));
+                for (lane, largest) in largest.iter_mut().enumerate() {
+                    *largest = largest.max(entry.get(lane).norm_sqr());
+                }
+            }
         }
-        let held = HELD * largest;
+        let held = largest.map(|largest| HELD * largest.sqrt());
         for coupling in self.couplings {
-            let sides = [of_node(coupling.row), of_node(coupling.column)];
-            let holds = (coupling.row == coupling.column).then_some(held);
+            let holds = coupling.row == coupling.column;
             let block = (self.place(coupling), [6, 6]);
-            project_block(lanes, lane, block, &sides, holds);
+            for (lane, of) in remainders.iter().enumerate() {
+                let sides = [coupling.row, coupling.column].map(|node| &of.nodes[node]);
+                let holds = holds.then_some(held[lane]);
+                project_block(lanes, lane, block, sides, holds);
+            }
         }
         for (index, (class, placed)) in self.classes.iter().zip(self.system.elements()).enumerate()
         {
-            let Class::Averaged(average) = class else {
+            let count = placed.element.own_unknowns();
+            if count == 0 || !matches!(class, Class::Averaged(_)) {
                 continue;
-            };
-            let nodes = placed.element.nodes();
-            let of_nodes: Vec<_> = nodes.iter().map(|&node| of_node(node)).collect();
-            let of_own = own_projection(alike, (average, placed), harmonic);
-            let (own, count) = (self.layout.own_at[index], placed.element.own_unknowns());
-            for (&node, of_node) in nodes.iter().zip(of_nodes) {
+            }
+            let own = self.layout.own_at[index];
+            for &node in placed.element.nodes() {
                 let at = self.layout.node_at[node];
                 let below = (structure.block_at(own, at), [count, 6]);
-                let sides = [of_own.clone(), of_node.clone()];
-                project_block(lanes, lane, below, &sides, None);
                 let beside = (structure.block_at(at, own), [6, count]);
-                project_block(lanes, lane, beside, &[of_node, of_own.clone()], None);
+                for (lane, of) in remainders.iter().enumerate() {
+                    let (of_node, of_own) = (&of.nodes[node], &of.own[index]);
+                    project_block(lanes, lane, below, [of_own, of_node], None);
+                    project_block(lanes, lane, beside, [of_node, of_own], None);
+                }
             }
             let block = (structure.block_at(own, own), [count, count]);
-            project_block(lanes, lane, block, &[of_own.clone(), of_own], Some(1.0));
+            for (lane, of) in remainders.iter().enumerate() {
+                project_block(lanes, lane, block, [&of.own[index]; 2], Some(1.0));
+            }
         }
     }
 }
 
-/// What an element's own unknowns may be in a harmonic, if it acts on hub and supports alone:
-/// multipliers what their forces on the nodes may be.
-fn own_projection(
-    alike: &AlikeMotions,
-    (average, placed): (&Average, &Placed),
-    harmonic: usize,
-) -> Option<DMatrix<Complex<f64>>> {
+/// What is the same in all parts of the period has harmonics of their number alone.
+fn still(remainder: usize) -> Allowed {
+    match remainder {
+        0 => Allowed::All,
+        _ => Allowed::Nothing,
+    }
+}
+
+/// What a part of the period makes of own unknowns.
+enum OwnStep {
+    Still,
+    Turned(DMatrix<f64>),
+}
+
+/// What it makes of an element's, if that acts on hub and supports alone: of multipliers what it
+/// makes of their forces on the nodes. None if they may be any.
+fn own_step(alike: &AlikeMotions, (average, placed): (&Average, &Placed)) -> Option<OwnStep> {
     let steps: Option<Vec<_>> = (placed.element.nodes().iter())
         .map(|&node| alike.of_node(node))
         .collect();
     let (steps, g) = (steps?, &average.gradient);
-    let step = match placed.has_states {
-        true => DMatrix::identity(g.nrows(), g.nrows()),
-        false => {
-            // Gᵀ λ(t) = T⁻ᵀ Gᵀ λ(t + T/B)
-            let mut carried = g.clone();
-            for (local, step) in steps.iter().enumerate() {
-                let columns = g.columns(6 * local, 6) * step.back;
-                carried.columns_mut(6 * local, 6).copy_from(&columns);
-            }
-            (g * g.transpose()).try_inverse()? * g * carried.transpose()
-        }
-    };
-    Some(alike.projection(&step, harmonic))
+    let are_still = placed.element.nodes().iter().all(|&n| alike.is_still(n));
+    if placed.has_states || are_still {
+        return Some(OwnStep::Still);
+    }
+    // Gᵀ λ(t) = T⁻ᵀ Gᵀ λ(t + T/B)
+    let mut carried = g.clone();
+    for (local, step) in steps.iter().enumerate() {
+        let columns = g.columns(6 * local, 6) * step.back;
+        carried.columns_mut(6 * local, 6).copy_from(&columns);
+    }
+    let step = (g * g.transpose()).try_inverse()? * g * carried.transpose();
+    Some(OwnStep::Turned(step))
 }
 
 /// `Πᴴ A Π` of a block, with what its rows and columns may be, and `1 − Π` added, times a
@@ -96,22 +171,27 @@ fn project_block(
     lanes: &mut BlockLanes<ComplexLanes>,
     lane: usize,
     (place, [rows, columns]): (BlockPlace, [usize; 2]),
-    sides: &[Option<DMatrix<Complex<f64>>>; 2],
+    sides: [&Allowed; 2],
     holds: Option<f64>,
 ) {
-    if sides.iter().all(Option::is_none) {
-        return;
-    }
-    let mut block = DMatrix::from_fn(rows, columns, |i, j| lanes.at(place.entry(i, j)).get(lane));
-    if let Some(of_rows) = &sides[0] {
+    let mut block = match sides {
+        [Allowed::All, Allowed::All] => return,
+        [Allowed::Nothing, _] | [_, Allowed::Nothing] => DMatrix::zeros(rows, columns),
+        _ => DMatrix::from_fn(rows, columns, |i, j| lanes.at(place.entry(i, j)).get(lane)),
+    };
+    if let [Allowed::Some(of_rows), Allowed::All | Allowed::Some(_)] = sides {
         block = of_rows.adjoint() * block;
     }
-    if let Some(of_columns) = &sides[1] {
+    if let [Allowed::All | Allowed::Some(_), Allowed::Some(of_columns)] = sides {
         block *= of_columns;
-        if let Some(stiffness) = holds {
-            let held = DMatrix::identity(columns, columns) - of_columns;
-            block += held * Complex::from(stiffness);
-        }
+    }
+    let held = match sides[1] {
+        Allowed::Some(of_columns) => Some(DMatrix::identity(columns, columns) - of_columns),
+        Allowed::Nothing => Some(DMatrix::identity(columns, columns)),
+        Allowed::All => None,
+    };
+    if let (Some(stiffness), Some(held)) = (holds, held) {
+        block += held * Complex::from(stiffness);
     }
     for j in 0..columns {
         for i in 0..rows {

@@ -27,6 +27,9 @@ pub(super) struct Resultants {
     strains: Vec<MeanStrain>,
     /// Of each node: the stations whose resultants act on it, and its strains there.
     acting: Vec<Vec<(usize, usize)>>,
+    /// Grid points, from the first on, at which those of each station are unknowns; and at which
+    /// forces on each node are told. See [`Collocation::told`].
+    told: [Vec<usize>; 2],
     /// What counts as 1 in their unknowns.
     pub scale: f64,
     workers: Workers,
@@ -56,7 +59,10 @@ impl Resultants {
                     .map_with_location(|i, j, x| x * row_scale[j] * scales[i]);
             }
         }
+        let of_stations = stations.iter().map(|s| equations.told(&s.nodes).0);
+        let of_nodes = (0..acting.len()).map(|node| equations.told(&[node]).0);
         Resultants {
+            told: [of_stations.collect(), of_nodes.collect()],
             layout,
             stations,
             strains: scaled,
@@ -76,14 +82,19 @@ impl Resultants {
         let (motions, of_node) = (self.layout.motions(), self.layout.of_node());
         let mut rows: Vec<_> = x[motions].chunks_mut(of_node).collect();
         let add = |node: usize, forces: &mut [f64]| {
+            let told = self.told[1][node];
             for &(station, strain) in &self.acting[node] {
                 let to_force = self.strains[strain].strain.transpose() * self.scale;
-                let r = r[of_node * station..].chunks_exact(6);
+                let r = r[of_node * station..].chunks_exact(6).take(told);
                 for (force, r) in forces.chunks_exact_mut(6).zip(r) {
                     let sum = to_force * Vector6::from_column_slice(r);
                     force.iter_mut().zip(&sum).for_each(|(y, f)| *y += f);
                 }
             }
+            // The other parts of the period have the same.
+            let (told, others) = forces.split_at_mut(6 * told);
+            let parts = others.chunks_exact_mut(told.len());
+            parts.for_each(|part| part.copy_from_slice(told));
         };
         self.workers
             .each(&mut rows, |node, forces| add(node, forces));
@@ -183,6 +194,8 @@ impl Resultants {
         };
         let determine = |index: usize, series: &mut [f64]| {
             let station = &self.stations[index];
+            let (series, others) = series.split_at_mut(6 * self.told[0][index]);
+            others.fill(0.0);
             for (k, r) in series.chunks_exact_mut(6).enumerate() {
                 let mut sum = Vector6::zeros();
                 for (&node, mean) in station.nodes.iter().zip(&self.strains[station.first..]) {
