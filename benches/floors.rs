@@ -123,7 +123,7 @@ fn main() {
         // The substitutions that refine a solution read memory; the rate is that of the factors.
         let trials: Vec<_> = (0..REPETITIONS)
             .filter(|_| is_direct)
-            .map(|_| try_direct_solve(solve).unwrap())
+            .map(|_| try_direct_solve(solve, 1).unwrap())
             .collect();
         let fraction = trials.first().map(|trial| {
             let factorisation = median(trials.iter().map(|t| t.timings.factorisation));

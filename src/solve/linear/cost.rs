@@ -2,8 +2,9 @@
 
 use crate::elements::StrainTangent;
 use crate::motion::DualVector;
+use crate::solve::linear::critical_path::path;
 use crate::solve::linear::front::elimination_work;
-use crate::solve::linear::ordering::plan;
+use crate::solve::linear::ordering::{FrontPlan, plan};
 use crate::system::System;
 use crate::work::{LINEARISATION, OF_FACTORS, PRODUCT, RESIDUAL};
 use nalgebra::Matrix6;
@@ -33,23 +34,16 @@ impl DirectCost {
 
     /// Of the Jacobian of a system on a grid of so many points.
     pub fn of(system: &System, points: usize) -> Self {
-        let nodes = system.nodes();
-        let mut sizes = vec![system.layout(points).of_node(); nodes];
-        let mut coupled = vec![BTreeSet::new(); nodes];
-        for placed in system.elements() {
-            let mut members = placed.element.nodes().to_vec();
-            if placed.element.own_unknowns() > 0 {
-                members.push(sizes.len());
-                sizes.push(placed.own_over(points).len());
-                coupled.push(BTreeSet::new());
-            }
-            for &a in &members {
-                coupled[a].extend(&members);
-            }
-        }
+        let (sizes, fronts) = fronts(system, points);
         let size = |groups: &[usize]| groups.iter().map(|&g| sizes[g]).sum::<usize>();
-        let fronts = plan(&sizes, &coupled, nodes);
         Self::of_fronts(fronts.iter().map(|f| (size(&f.own), size(&f.boundary))))
+    }
+
+    /// Multiply-adds of the factorisation one after the other, where so many workers share them.
+    pub fn shared(system: &System, points: usize, workers: usize) -> f64 {
+        let (sizes, fronts) = fronts(system, points);
+        let size = |groups: &[usize]| groups.iter().map(|&g| sizes[g]).sum::<usize>();
+        path(&fronts, size, workers)
     }
 
     /// Of fronts that eliminate so many unknowns, and leave so many others.
@@ -70,6 +64,26 @@ impl DirectCost {
     pub(crate) fn values(&self) -> f64 {
         0.5 * self.bytes / size_of::<f64>() as f64
     }
+}
+
+/// Sizes of the groups of unknowns, and the fronts that eliminate them.
+fn fronts(system: &System, points: usize) -> (Vec<usize>, Vec<FrontPlan>) {
+    let nodes = system.nodes();
+    let mut sizes = vec![system.layout(points).of_node(); nodes];
+    let mut coupled = vec![BTreeSet::new(); nodes];
+    for placed in system.elements() {
+        let mut members = placed.element.nodes().to_vec();
+        if placed.element.own_unknowns() > 0 {
+            members.push(sizes.len());
+            sizes.push(placed.own_over(points).len());
+            coupled.push(BTreeSet::new());
+        }
+        for &a in &members {
+            coupled[a].extend(&members);
+        }
+    }
+    let fronts = plan(&sizes, &coupled, nodes);
+    (sizes, fronts)
 }
 
 /// Multiply-adds of an iteration of Newton's method on a grid of so many points that is easy: by

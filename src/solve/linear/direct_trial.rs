@@ -8,6 +8,7 @@ use crate::solve::linear::iterative::missing_inertia;
 use crate::solve::linear::solver::LinearSolver;
 use crate::solve::report::{Timings, timed};
 use crate::solve::result::Solved;
+use crate::workers::Workers;
 
 /// What a direct solve with the Jacobian at a periodic solution takes.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,12 +19,14 @@ pub struct DirectTrial {
     pub timings: Timings,
 }
 
-/// Assembles and factors the Jacobian at a periodic solution and solves with it, once.
+/// Assembles and factors the Jacobian at a periodic solution and solves with it, once, by so many
+/// threads.
 ///
 /// # Errors
 /// If the equations cannot be evaluated, or memory does not last.
-pub fn try_direct_solve(solve: &Solved) -> Result<DirectTrial> {
+pub fn try_direct_solve(solve: &Solved, threads: usize) -> Result<DirectTrial> {
     let mut equations = Collocation::new(solve.system.clone(), solve.grid)?;
+    equations.set_workers(Workers::new(threads)?);
     let mut timings = Timings::default();
     let mut direct = timed(&mut timings.analysis, || Assembled::new(&equations));
     direct.linearise(&mut equations, &solve.state, &mut timings)?;

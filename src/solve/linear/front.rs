@@ -148,6 +148,12 @@ impl Front {
         }
     }
 
+    /// Numbers that its factors take.
+    pub fn numbers(&self) -> usize {
+        let (upper, lower) = (&self.upper, &self.lower);
+        upper.nrows() * upper.ncols() + lower.nrows() * lower.ncols()
+    }
+
     /// Eliminates the unknowns of the front, which `assemble` sums up, but for those without
     /// pivots. `workspace` tells the sizes that columns have had before.
     ///

@@ -24,6 +24,7 @@ mod blocks;
 pub(crate) mod bordered;
 pub(crate) mod borders;
 pub(crate) mod cost;
+mod critical_path;
 pub(crate) mod dense;
 pub(crate) mod diagnosis;
 pub(crate) mod direct;

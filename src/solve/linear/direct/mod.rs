@@ -5,6 +5,7 @@
 mod analysis;
 mod columns;
 mod factorisation;
+mod substitution;
 
 pub use columns::Columns;
 
@@ -12,8 +13,7 @@ use crate::collocation::{Panel, Pattern};
 use crate::error::Result;
 use crate::solve::linear::cost::DirectCost;
 use crate::solve::linear::dense::{
-    largest, solve_unit_lower, solve_unit_lower_transposed, solve_upper, solve_upper_transposed,
-    subtract_product, subtract_transposed,
+    largest, solve_unit_lower_transposed, solve_upper_transposed, subtract_transposed,
 };
 use crate::solve::linear::direct::analysis::Analysis;
 use crate::solve::linear::direct::factorisation::Factorisation;
@@ -108,7 +108,7 @@ impl DirectSolver {
         }
     }
 
-    /// Shares the work of factorisations among these threads.
+    /// Shares the work of factorisations and substitutions among these threads.
     pub fn set_workers(&mut self, workers: Workers) {
         self.workers = workers;
     }
@@ -180,43 +180,6 @@ impl DirectSolver {
         (sign, logarithm)
     }
 
-    /// Solves in place. `false` if there are no factors or the result is not finite.
-    pub fn solve(&self, rhs: &mut [f64]) -> bool {
-        if !self.factored {
-            return false;
-        }
-        let read = self.size_of_factors() as f64;
-        self.workers.work().spend(SUBSTITUTION * read);
-        // What each front's equations come to, one front after the other.
-        let mut reduced = Vec::with_capacity(rhs.len());
-        let mut local = Vec::new();
-        for (plan, front) in self.analysis.plans.iter().zip(&self.fronts) {
-            // Whether work is to end is asked where it may fail.
-            let _ = self.workers.pulse();
-            let first = reduced.len();
-            reduced.extend(front.rows.iter().map(|&row| rhs[row]));
-            let y = &mut reduced[first..];
-            solve_unit_lower(|j| front.upper.col_as_slice(j), y);
-            self.gather(&front.delayed_rows, &plan.boundary, rhs, &mut local);
-            subtract_product(&mut local, |j| front.lower.col_as_slice(j), y);
-            self.scatter(&front.delayed_rows, &plan.boundary, &local, rhs);
-        }
-        for (plan, front) in self.analysis.plans.iter().zip(&self.fronts).rev() {
-            let _ = self.workers.pulse();
-            let count = front.rows.len();
-            let y = &mut reduced[..];
-            let (_, y) = y.split_at_mut(y.len() - count);
-            self.gather(&front.delayed_columns, &plan.boundary, rhs, &mut local);
-            subtract_product(y, |j| front.upper.col_as_slice(count + j), &local);
-            solve_upper(|j| front.upper.col_as_slice(j), y);
-            for (&column, x) in front.columns.iter().zip(&*y) {
-                rhs[column] = *x;
-            }
-            reduced.truncate(reduced.len() - count);
-        }
-        rhs.iter().all(|x| x.is_finite())
-    }
-
     /// Solves the transposed equations in place. `false` if there are no factors or the result is
     /// not finite.
     pub fn solve_transposed(&self, rhs: &mut [f64]) -> bool {
@@ -252,11 +215,7 @@ impl DirectSolver {
 
     /// Numbers that the factors take.
     pub fn size_of_factors(&self) -> usize {
-        let sizes = self.fronts.iter().map(|front| {
-            let (upper, lower) = (&front.upper, &front.lower);
-            upper.nrows() * upper.ncols() + lower.nrows() * lower.ncols()
-        });
-        sizes.sum()
+        self.fronts.iter().map(Front::numbers).sum()
     }
 
     /// Errors of motions without refinement, relative to the largest, as far as is known.
@@ -348,15 +307,7 @@ impl DirectSolver {
         self.workers
             .work()
             .spend(SUBSTITUTION * values.len() as f64);
-        for panel in self.analysis.panels.iter().flatten() {
-            let row = self.analysis.groups[panel.row.0].start + panel.row.1;
-            let column = self.analysis.groups[panel.column.0].start + panel.column.1;
-            subtract_product(
-                &mut rest[row..][..panel.rows],
-                |j| &values[panel.value + j * panel.stride..][..panel.rows],
-                &x[column..][..panel.columns],
-            );
-        }
+        self.subtract_panels(values, x, &mut rest);
         for held in self.held() {
             rest[held.row] -= held.added * x[held.column];
         }
@@ -602,6 +553,9 @@ mod tests {
             );
             let mut found = rhs.col_as_slice(0).to_vec();
             assert!(solver.solve(&mut found));
+            // By several threads, however little there is to do.
+            let mut shared = rhs.col_as_slice(0).to_vec();
+            solver.solve_shared(&mut shared, &Workers::new(3).unwrap());
             let reference = dense.partial_piv_lu().solve(&rhs);
             let error = |x: &dyn Fn(usize) -> f64| {
                 (0..size).fold(0.0, |m: f64, i| m.max((x(i) - exact[(i, 0)]).abs()))
@@ -616,6 +570,7 @@ mod tests {
             assert!(solver.solve_columns(several.as_mut(), &mut memory).unwrap());
             for ours in [
                 ours,
+                error(&|i| shared[i]),
                 error(&|i| transposed[i]),
                 error(&|i| -0.5 * several[(i, 0)]),
                 error(&|i| several[(i, 1)]),
