@@ -191,6 +191,7 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_NUMBER_SHELL_DAMPING = 3611
     integer(c_int32_t), parameter :: PDN_NUMBER_SHELL_THICKNESS = 3612
     integer(c_int32_t), parameter :: PDN_NUMBER_FRAME_RATE = 3613
+    integer(c_int32_t), parameter :: PDN_NUMBER_SPIN = 3614
     integer(c_int32_t), parameter :: PDN_PART_MEAN = 3800
     integer(c_int32_t), parameter :: PDN_PART_RATE = 3801
     integer(c_int32_t), parameter :: PDN_PART_AMPLITUDE = 3802
@@ -1530,6 +1531,29 @@ module periodyn_c
             real(c_double), intent(inout) :: point(*)
             integer(c_int32_t) :: pdn_model_turning_frame
         end function pdn_model_turning_frame
+
+        ! Lets a rigid body, or a mass or inertia on a node, spin at a constant rate relative to
+        ! its node, about an axis through its centre of mass which is fixed in the node: a disk, a
+        ! rotor, a flywheel with its gyroscopic moments, on a node that does not turn with it
+        function pdn_model_set_spin(model, inertia, axis, &
+            rate) bind(C, name="pdn_model_set_spin")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: inertia
+            real(c_double), intent(in) :: axis(*)
+            real(c_double), value :: rate
+            integer(c_int32_t) :: pdn_model_set_spin
+        end function pdn_model_set_spin
+
+        ! How an inertia spins relative to its node, if it does
+        function pdn_model_spin(model, inertia, axis, rate) bind(C, name="pdn_model_spin")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: inertia
+            real(c_double), intent(inout) :: axis(*)
+            real(c_double), intent(inout) :: rate
+            integer(c_int32_t) :: pdn_model_spin
+        end function pdn_model_spin
 
         ! Says that the blades of a rotor are alike, in place of what was said before: periodic
         ! solves, also under conditions, then solve for one blade, the hub and the supports, and
@@ -4026,6 +4050,8 @@ module periodyn
         procedure, public :: add_load_at_places => model_add_load_at_places
         procedure, public :: set_turning_frame => model_set_turning_frame
         procedure, public :: turning_frame => model_turning_frame
+        procedure, public :: set_spin => model_set_spin
+        procedure, public :: spin => model_spin
         procedure, public :: set_rotor_symmetry => model_set_rotor_symmetry
         procedure, public :: rotor_symmetry => model_rotor_symmetry
         procedure, public :: rotor_node => model_rotor_node
@@ -4275,13 +4301,14 @@ module periodyn
         model_add_beam_element, model_add_straight_beam, model_add_beam, model_add_beam_between, &
         model_add_load, model_add_load_at_point, model_add_load_on_beam, model_set_gravity, &
         model_set_gravity_signals, model_add_distributed_load, model_add_load_at_places, &
-        model_set_turning_frame, model_turning_frame, model_set_rotor_symmetry, &
-        model_rotor_symmetry, model_rotor_node, model_add_shell_element, model_add_shell, &
-        model_add_shell_grid, model_add_shell_quadrilaterals, model_shell_patch_node, &
-        model_shell_element_count, model_shell_node, model_add_shell_load, &
-        model_set_shell_prestress, model_add_rigid_joints, model_add_rigid_edge, &
-        model_force_count, model_add_spring_damper, model_add_nonlinear_spring_damper, &
-        model_add_actuator, model_add_viscoelastic, model_add_viscous_damper, model_add_bushing, &
+        model_set_turning_frame, model_turning_frame, model_set_spin, model_spin, &
+        model_set_rotor_symmetry, model_rotor_symmetry, model_rotor_node, &
+        model_add_shell_element, model_add_shell, model_add_shell_grid, &
+        model_add_shell_quadrilaterals, model_shell_patch_node, model_shell_element_count, &
+        model_shell_node, model_add_shell_load, model_set_shell_prestress, &
+        model_add_rigid_joints, model_add_rigid_edge, model_force_count, &
+        model_add_spring_damper, model_add_nonlinear_spring_damper, model_add_actuator, &
+        model_add_viscoelastic, model_add_viscous_damper, model_add_bushing, &
         model_add_coordinate_law, model_add_user_force, model_declare_nodes_apart, &
         model_check_tangents, model_add_controller, model_controller_counts, &
         model_controller_coordinate, model_controller_state, model_add_surface_force, &
@@ -6404,6 +6431,36 @@ contains
         if (status == PDN_OK) rate = found_rate
         call report(status, stat, errmsg)
     end subroutine model_turning_frame
+
+    ! Lets a rigid body, or a mass or inertia on a node, spin at a constant rate relative to its
+    ! node, about an axis through its centre of mass which is fixed in the node: a disk, a rotor,
+    ! a flywheel with its gyroscopic moments, on a node that does not turn with it.
+    subroutine model_set_spin(self, inertia, axis, rate, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: inertia
+        real(c_double), intent(in) :: axis(3), rate
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_set_spin(self%c, inertia, axis, rate)
+        call report(status, stat, errmsg)
+    end subroutine model_set_spin
+
+    ! How an inertia spins relative to its node, if it does.
+    subroutine model_spin(self, inertia, axis, rate, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: inertia
+        real(c_double), intent(inout) :: axis(3), rate
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        real(c_double) :: found_rate
+        integer(c_int32_t) :: status
+
+        status = pdn_model_spin(self%c, inertia, axis, found_rate)
+        if (status == PDN_OK) rate = found_rate
+        call report(status, stat, errmsg)
+    end subroutine model_spin
 
     ! Says that the blades of a rotor are alike, in place of what was said before: periodic
     ! solves, also under conditions, then solve for one blade, the hub and the supports, and the

@@ -963,6 +963,11 @@
 #define PDN_NUMBER_FRAME_RATE 3613
 
 /**
+ * A parameter moves the rate at which an inertia spins, ::pdn_model_set_spin.
+ */
+#define PDN_NUMBER_SPIN 3614
+
+/**
  * Part of a signal: the mean that is added to its shape.
  */
 #define PDN_PART_MEAN 3800
@@ -4818,6 +4823,60 @@ pdn_status pdn_model_turning_frame(const struct pdn_model *model,
                                    double *axis,
                                    double *rate,
                                    double *point);
+
+/**
+ * Lets a rigid body, or a mass or inertia on a node, spin at a constant rate relative to its node,
+ * about an axis through its centre of mass which is fixed in the node: a disk, a rotor, a flywheel
+ * with its gyroscopic moments, on a node that does not turn with it. In place of any spin set
+ * before.
+ *
+ * The node describes a frame in which the body spins: its motion in results, and all that is
+ * attached to it, is without the spin. The body must be symmetric about the axis, so that its
+ * inertia in the node's frame stays what it is; to 1e-8 of its masses and moments, so that numbers
+ * written with 9 digits pass. What keeps the rate (a motor, or bearings of a shaft that turns
+ * steadily) acts between node and body: about the axis the node feels the body's inertia and, with
+ * damping in proportion to mass, what damps its spin. Momenta and kinetic energies
+ * (::pdn_conditions_add_angular_momentum, ::pdn_conditions_add_energy) are those of the body. That
+ * energy is constant in a free motion only if what keeps the rate does no work: where nothing acts
+ * on the node about the axis.
+ *
+ * All analyses know of it, also modes and statics in a frame that turns. A parameter may move the
+ * rate (PDN_NUMBER_SPIN).
+ *
+ * @param model  the model; not NULL
+ * @param inertia  id of the inertia, as ::pdn_model_inertia_of tells of a rigid body
+ * @param axis  array of length 3: direction of the axis, along the axes of the node, not zero
+ * @param rate  angle in a unit of time \[rad/time\]; it may be zero
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE (no direction, or
+ *     the inertia is not symmetric about the axis)
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_set_spin(struct pdn_model *model,
+                              int32_t inertia,
+                              const double *axis,
+                              double rate);
+
+/**
+ * How an inertia spins relative to its node, if it does.
+ *
+ * @param model  the model; not NULL
+ * @param inertia  id of the inertia
+ * @param axis  array of length 3: direction of the axis, of length 1, along the axes of the node;
+ *     written on success only
+ * @param rate  angle in a unit of time \[rad/time\]; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_NOT_AVAILABLE (it was given no spin)
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_spin(const struct pdn_model *model,
+                          int32_t inertia,
+                          double *axis,
+                          double *rate);
 
 /**
  * Says that the blades of a rotor are alike, in place of what was said before: periodic solves,

@@ -484,6 +484,8 @@ enum class Number : std::int32_t {
     /** A parameter moves the rate of the frame that everything is described in,
      * ::pdn_model_set_turning_frame. */
     frame_rate = PDN_NUMBER_FRAME_RATE,
+    /** A parameter moves the rate at which an inertia spins, ::pdn_model_set_spin. */
+    spin = PDN_NUMBER_SPIN,
     /** Numbers of a force: relaxation times of the branches of a viscoelastic element. */
     relaxation_time = PDN_NUMBER_RELAXATION_TIME,
 };
@@ -1611,6 +1613,14 @@ struct ModelTurningFrame {
     Vector3 point;
 };
 
+/** What model_spin gives. */
+struct ModelSpin {
+    /** Direction of the axis, of length 1, along the axes of the node. */
+    Vector3 axis;
+    /** Angle in a unit of time \[rad/time\]. */
+    double rate;
+};
+
 /** What model_rotor_symmetry gives. */
 struct ModelRotorSymmetry {
     /** Direction of the axis, of length 1. */
@@ -2113,6 +2123,21 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         Vector3 point{};
         detail::check(pdn_model_turning_frame(get(), axis.data(), &rate, point.data()));
         return {axis, rate, point};
+    }
+    /** Lets a rigid body, or a mass or inertia on a node, spin at a constant rate relative to its
+     * node, about an axis through its centre of mass which is fixed in the node: a disk, a rotor, a
+     * flywheel with its gyroscopic moments, on a node that does not turn with it. */
+    void set_spin(std::int32_t inertia, const Vector3 &axis, double rate)
+    {
+        detail::check(pdn_model_set_spin(get(), inertia, detail::in(axis), rate));
+    }
+    /** How an inertia spins relative to its node, if it does. */
+    ModelSpin spin(std::int32_t inertia) const
+    {
+        Vector3 axis{};
+        double rate = 0;
+        detail::check(pdn_model_spin(get(), inertia, axis.data(), &rate));
+        return {axis, rate};
     }
     /** Says that the blades of a rotor are alike, in place of what was said before: periodic
      * solves, also under conditions, then solve for one blade, the hub and the supports, and the

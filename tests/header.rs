@@ -20,6 +20,7 @@ const FILES: &[&str] = &[
     "beam",
     "load",
     "turning_frame",
+    "spin",
     "rotor_symmetry",
     "surface",
     "shell",

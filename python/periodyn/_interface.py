@@ -451,6 +451,8 @@ NUMBER_FRAME_RATE = 3613
 """A parameter moves the rate of the frame that everything is described in,
 Model.set_turning_frame.
 """
+NUMBER_SPIN = 3614
+"""A parameter moves the rate at which an inertia spins, Model.set_spin."""
 PART_MEAN = 3800
 """Part of a signal: the mean that is added to its shape."""
 PART_RATE = 3801
@@ -3439,6 +3441,49 @@ class Model(ModelExtras):
         point = reals.empty((3,))
         call(lib.pdn_model_turning_frame, self._c, pointer(axis), rate, pointer(point))
         return axis, rate[0], point
+
+    def set_spin(self, inertia, axis, rate):
+        """Lets a rigid body, or a mass or inertia on a node, spin at a constant rate relative to
+        its node, about an axis through its centre of mass which is fixed in the node: a disk, a
+        rotor, a flywheel with its gyroscopic moments, on a node that does not turn with it. In
+        place of any spin set before.
+
+        The node describes a frame in which the body spins: its motion in results, and all that
+        is attached to it, is without the spin. The body must be symmetric about the axis, so
+        that its inertia in the node's frame stays what it is; to 1e-8 of its masses and
+        moments, so that numbers written with 9 digits pass. What keeps the rate (a motor, or
+        bearings of a shaft that turns steadily) acts between node and body: about the axis the
+        node feels the body's inertia and, with damping in proportion to mass, what damps its
+        spin. Momenta and kinetic energies (Conditions.add_angular_momentum,
+        Conditions.add_energy) are those of the body. That energy is constant in a free motion
+        only if what keeps the rate does no work: where nothing acts on the node about the axis.
+
+        All analyses know of it, also modes and statics in a frame that turns. A parameter may
+        move the rate (NUMBER_SPIN).
+
+        Args:
+            inertia: id of the inertia, as Model.inertia_of tells of a rigid body
+            axis: array of shape (3): direction of the axis, along the axes of the node, not
+                zero
+            rate: angle in a unit of time [rad/time]; it may be zero
+        """
+        axis = reals("axis", axis, (3,))
+        call(lib.pdn_model_set_spin, self._c, inertia, pointer(axis), rate)
+
+    def spin(self, inertia):
+        """How an inertia spins relative to its node, if it does.
+
+        Args:
+            inertia: id of the inertia
+
+        Returns:
+            axis, of shape (3): direction of the axis, of length 1, along the axes of the node
+            rate: angle in a unit of time [rad/time]
+        """
+        axis = reals.empty((3,))
+        rate = ffi.new("double *")
+        call(lib.pdn_model_spin, self._c, inertia, pointer(axis), rate)
+        return axis, rate[0]
 
     def set_rotor_symmetry(self, axis, blades, nodes, hub, point=None):
         """Says that the blades of a rotor are alike, in place of what was said before: periodic

@@ -197,6 +197,7 @@ NUMBER_SHELL_MASS: int
 NUMBER_SHELL_DAMPING: int
 NUMBER_SHELL_THICKNESS: int
 NUMBER_FRAME_RATE: int
+NUMBER_SPIN: int
 PART_MEAN: int
 PART_RATE: int
 PART_AMPLITUDE: int
@@ -984,6 +985,10 @@ class Model(ModelExtras):
     ) -> None: ...
 
     def turning_frame(self) -> tuple[NDArray[numpy.float64], float, NDArray[numpy.float64]]: ...
+
+    def set_spin(self, inertia: int, axis: ArrayLike, rate: float) -> None: ...
+
+    def spin(self, inertia: int) -> tuple[NDArray[numpy.float64], float]: ...
 
     def set_rotor_symmetry(
         self,

@@ -80,6 +80,11 @@ def test_labels_and_contents():
     assert model.find_parameter("mass") == parameter
     model.set_parameter(parameter, 2)
     np.testing.assert_array_equal(model.inertia(model.inertia_of(body))[1], 2 * np.eye(6))
+    with pytest.raises(pdn.Error, match="one that spins"):
+        model.spin(model.inertia_of(body))
+    model.set_spin(model.inertia_of(body), [0, 0, 2], 3.5)
+    axis, rate = model.spin(model.inertia_of(body))
+    assert rate == 3.5 and axis.tolist() == [0, 0, 1]
     node, first_element, elements, fraction, offset, frame = model.load_at(pdn.FIRST_LOAD)
     assert (node, first_element, elements, fraction) == (body, -1, 0, 0)
     assert frame == pdn.FRAME_SPACE and not offset.any()

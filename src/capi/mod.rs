@@ -109,6 +109,7 @@ pub mod shell;
 pub mod shooting;
 pub mod signal;
 pub mod solution;
+pub mod spin;
 pub mod stability;
 pub mod statics;
 pub mod status;

@@ -44,6 +44,8 @@ pub const PDN_NUMBER_SHELL_THICKNESS: i32 = 3612;
 /// A parameter moves the rate of the frame that everything is described in,
 /// ::pdn_model_set_turning_frame.
 pub const PDN_NUMBER_FRAME_RATE: i32 = 3613;
+/// A parameter moves the rate at which an inertia spins, ::pdn_model_set_spin.
+pub const PDN_NUMBER_SPIN: i32 = 3614;
 
 /// Part of a signal: the mean that is added to its shape.
 pub const PDN_PART_MEAN: i32 = 3800;
@@ -263,6 +265,7 @@ fn target(model: &Model, number: i32, id: i32, power: usize) -> Result<Target> {
         PDN_NUMBER_SHELL_DAMPING => Target::ShellDamping(of(shell)?),
         PDN_NUMBER_SHELL_THICKNESS => Target::ShellThickness(of(shell)?),
         PDN_NUMBER_FRAME_RATE => of_the_whole(id, Target::FrameRate)?,
+        PDN_NUMBER_SPIN => Target::Spin(of(Kind::Inertia)?),
         other => return Err(Error::value("number", "a constant PDN_NUMBER_...", other)),
     })
 }

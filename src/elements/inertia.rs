@@ -6,7 +6,8 @@ use crate::error::Result;
 use crate::motion::{Motion, halves, joined, product, skew, transposed_product};
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Matrix6x3, Vector3, Vector6};
 
-/// Inertial forces `M V̇ − Ṽᵀ M V` with `M` constant, and the weight.
+/// Inertial forces `M V̇ − Ṽᵀ M (V + S)` with `M` constant, and the weight. What is symmetric about
+/// an axis may spin about it, with a constant twist `S` relative to the node.
 ///
 /// Each node bears its share of the mass, carried with its own frame. So the weight has a potential
 /// and its sum is exact, however much a beam bends.
@@ -17,6 +18,8 @@ pub struct Inertia {
     /// Inertial force of each node if all move as a rigid body, for a unit acceleration in its
     /// frame.
     shares: Vec<Matrix6x3<f64>>,
+    /// Twist of what spins relative to each node, and its momentum; empty if nothing does.
+    spins: Vec<[Vector6<f64>; 2]>,
 }
 
 /// 6×6 inertia `[m I, −m c̃; m c̃, J − m c̃ c̃]` about a frame, for a mass `m` whose centre is at
@@ -62,7 +65,39 @@ impl Inertia {
             nodes,
             mass,
             shares,
+            spins: Vec::new(),
         }
+    }
+
+    /// Lets it move with these constant twists relative to its nodes, along their axes. By such
+    /// motions the mass matrix must not change.
+    pub fn spinning(mut self, twists: &[Vector6<f64>]) -> Self {
+        let all = DVector::from_iterator(6 * twists.len(), twists.iter().flatten().copied());
+        let momenta = &self.mass * all;
+        let momenta = (0..twists.len()).map(|a| momenta.fixed_rows::<6>(6 * a).into_owned());
+        self.spins = twists
+            .iter()
+            .copied()
+            .zip(momenta)
+            .map(<[_; 2]>::from)
+            .collect();
+        self
+    }
+
+    /// Momentum at node `a` of what spins relative to the nodes.
+    pub fn momentum_of_spin(&self, a: usize) -> Vector6<f64> {
+        self.spins
+            .get(a)
+            .map_or(Vector6::zeros(), |[_, momentum]| *momentum)
+    }
+
+    /// Momenta at the nodes, and twists, of the material where the nodes have these twists.
+    pub fn momenta(&self, mut twists: DVector<f64>) -> [DVector<f64>; 2] {
+        for (a, [spin, _]) in self.spins.iter().enumerate() {
+            let mut twist = twists.fixed_rows_mut::<6>(6 * a);
+            twist += spin;
+        }
+        [&self.mass * &twists, twists]
     }
 
     /// The mass matrix, `6 n × 6 n`.
@@ -135,7 +170,8 @@ impl Element for Inertia {
                 force += product(&m, &other.twist_rate);
                 momentum += product(&m, &other.twist);
             }
-            force = (force + gyroscopic(&node.twist, &momentum)) * factor + momentum * damping;
+            let whole = momentum + self.momentum_of_spin(a);
+            force = (force + gyroscopic(&node.twist, &whole)) * factor + momentum * damping;
             let gravity = transposed_product(&node.motion.rotation, &instant.gravity);
             force -= product(&self.shares[a], &gravity);
             out.add_force(a, &force);
@@ -153,7 +189,7 @@ impl Element for Inertia {
                 }
                 out.add_damping(a, b, &by_velocity);
             }
-            out.add_damping(a, a, &(momentum_matrix(&momentum) * -factor));
+            out.add_damping(a, a, &(momentum_matrix(&whole) * -factor));
         }
         Ok(())
     }

@@ -2,7 +2,6 @@
 
 use super::{Contribution, Element, Inertia, Instant};
 use crate::error::Result;
-use nalgebra::Vector6;
 use std::sync::Arc;
 
 /// Forces `factor · M V` against the motion of what has this inertia, relative to the inertial
@@ -40,7 +39,7 @@ impl Element for MassDamping {
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
         let mass = self.inertia.mass();
         for a in 0..instant.nodes.len() {
-            let mut force = Vector6::zeros();
+            let mut force = self.inertia.momentum_of_spin(a) * self.factor;
             for (b, other) in instant.nodes.iter().enumerate() {
                 let block = mass.fixed_view::<6, 6>(6 * a, 6 * b) * self.factor;
                 force += block * other.twist;

@@ -1,7 +1,7 @@
 //! The one test that every element passes: its tangents are the derivatives of its forces.
 
 use super::*;
-use crate::motion::{Motion, rotation_from_vector, skew};
+use crate::motion::{DualVector, Motion, rotation_from_vector, skew};
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use std::ops::AddAssign;
 
@@ -249,6 +249,20 @@ fn cases() -> Vec<Case> {
     cases.push(Case {
         name: "rigid body".into(),
         element: Box::new(Inertia::rigid_body(0, &random.motion(), &inertia)),
+        states: states(vec![random.motion()], &mut random),
+        coordinates: vec![],
+    });
+
+    // One that spins about an axis through its centre, which is off the node.
+    let axis = random.vector().fixed_rows::<3>(0).normalize();
+    let centre = random.vector().fixed_rows::<3>(0).into_owned();
+    let symmetric = Matrix3::identity() * 0.7 + axis * axis.transpose() * 0.6;
+    let inertia = rigid_body_inertia(1.9, &centre, &symmetric);
+    let twist = DualVector::of_turn(&(axis * 3.0), &centre).to_twist();
+    let body = Inertia::rigid_body(0, &Motion::identity(), &inertia);
+    cases.push(Case {
+        name: "spinning body".into(),
+        element: Box::new(body.spinning(&[twist])),
         states: states(vec![random.motion()], &mut random),
         coordinates: vec![],
     });

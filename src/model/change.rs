@@ -170,15 +170,21 @@ impl Model {
     /// of a parameter stays.
     ///
     /// # Errors
-    /// If there is no such inertia, or the matrix is none of a body.
+    /// If there is no such inertia, the matrix is none of a body, or the body spins about an axis
+    /// that it would not be symmetric about.
     pub fn set_inertia(&mut self, inertia: usize, matrix: &Matrix6<f64>) -> Result<()> {
         require_id("inertia", "inertia", self.inertia_count(), inertia)?;
         let changed = require_positive("matrix", matrix, false)?;
-        let mut bodies = self.inertias.iter_mut().filter_map(|it| match it {
-            InertiaDefinition::Body { matrix, .. } => Some(matrix),
-            InertiaDefinition::Beam | InertiaDefinition::Shell => None,
-        });
-        if let Some(matrix) = bodies.nth(inertia) {
+        if let Some(InertiaDefinition::Body {
+            matrix,
+            factor,
+            spin,
+            ..
+        }) = self.body_mut(inertia)
+        {
+            if let Some(spin) = spin {
+                spin.require_fits(&changed, *factor)?;
+            }
             **matrix = changed;
         }
         Ok(())

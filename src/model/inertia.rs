@@ -1,9 +1,9 @@
 //! Rigid bodies and masses.
 
-use super::Model;
 use super::validation::{require_motion, require_positive};
+use super::{Model, Spin};
 use crate::elements::{Beam, Element, Inertia, Shell};
-use crate::error::{Error, ErrorKind, Result, require_finite};
+use crate::error::{Error, ErrorKind, Result, require_finite, require_id};
 use crate::motion::Motion;
 use nalgebra::{Matrix3, Matrix6, Vector3};
 use serde::de::Error as _;
@@ -26,6 +26,9 @@ pub enum InertiaDefinition {
         /// Factor of the whole.
         #[serde(default = "one")]
         factor: f64,
+        /// How it spins relative to the node, if it does.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        spin: Option<Spin>,
     },
 }
 
@@ -39,6 +42,36 @@ impl InertiaDefinition {
         match self {
             InertiaDefinition::Beam | InertiaDefinition::Shell => None,
             InertiaDefinition::Body { matrix, factor, .. } => Some(**matrix * *factor),
+        }
+    }
+
+    /// Whether it spins relative to its node.
+    pub(super) fn spins(&self) -> bool {
+        matches!(self, InertiaDefinition::Body { spin: Some(_), .. })
+    }
+
+    /// Checks one from a file.
+    pub(super) fn require_clean(&self) -> Result<()> {
+        if let InertiaDefinition::Body { factor, spin, .. } = self {
+            require_finite("inertia", &[*factor])?;
+            spin.map_or(Ok(()), |spin| spin.require_clean())?;
+        }
+        if let Some(matrix) = self.of_body() {
+            require_finite("inertia", matrix.as_slice())?;
+        }
+        self.require_spin()
+    }
+
+    /// Checks that it can spin as it is said to.
+    pub(super) fn require_spin(&self) -> Result<()> {
+        match self {
+            InertiaDefinition::Body {
+                matrix,
+                factor,
+                spin: Some(spin),
+                ..
+            } => spin.require_fits(matrix, *factor),
+            _ => Ok(()),
         }
     }
 }
@@ -63,6 +96,7 @@ pub(super) fn saved<'de, D: Deserializer<'de>>(
                 node,
                 matrix: Box::new(Matrix6::from_column_slice(&mass)),
                 factor: 1.0,
+                spin: None,
             }),
             (&[_, _, ..], _) => Ok(InertiaDefinition::Beam),
             _ => Err(D::Error::custom(
@@ -143,10 +177,49 @@ impl Model {
         Ok(self.push_body(node, matrix))
     }
 
+    /// Lets a body, mass or inertia spin at a constant `rate` relative to its node, about the axis
+    /// through its centre of mass along `axis`, which is fixed in the node and given along its
+    /// axes; in place of any spin set before. The node is then a frame that does not spin along,
+    /// and what keeps the rate acts between it and the body.
+    ///
+    /// # Errors
+    /// If there is no such inertia, it is not symmetric about the axis, an argument has no finite
+    /// values, or `axis` has no direction.
+    pub fn set_spin(&mut self, inertia: usize, axis: &Vector3<f64>, rate: f64) -> Result<()> {
+        require_id("inertia", "inertia", self.inertia_count(), inertia)?;
+        let given = Spin::new(axis, rate)?;
+        if let Some(InertiaDefinition::Body {
+            matrix,
+            factor,
+            spin,
+            ..
+        }) = self.body_mut(inertia)
+        {
+            given.require_fits(matrix, *factor)?;
+            *spin = Some(given);
+        }
+        Ok(())
+    }
+
+    /// How a body, mass or inertia spins relative to its node, if it does.
+    pub fn spin(&self, inertia: usize) -> Option<Spin> {
+        let mut bodies = self.inertias.iter().filter_map(|it| match it {
+            InertiaDefinition::Body { spin, .. } => Some(*spin),
+            InertiaDefinition::Beam | InertiaDefinition::Shell => None,
+        });
+        bodies.nth(inertia).flatten()
+    }
+
     /// Number of bodies, masses and inertias.
     pub(super) fn inertia_count(&self) -> usize {
         let is_body = |it: &&InertiaDefinition| matches!(it, InertiaDefinition::Body { .. });
         self.inertias.iter().filter(is_body).count()
+    }
+
+    /// A body, mass or inertia.
+    pub(super) fn body_mut(&mut self, number: usize) -> Option<&mut InertiaDefinition> {
+        let is_body = |it: &&mut InertiaDefinition| matches!(it, InertiaDefinition::Body { .. });
+        self.inertias.iter_mut().filter(is_body).nth(number)
     }
 
     fn push_body(&mut self, node: usize, matrix: Matrix6<f64>) -> usize {
@@ -155,6 +228,7 @@ impl Model {
             node,
             matrix: Box::new(matrix),
             factor: 1.0,
+            spin: None,
         });
         number
     }
@@ -187,9 +261,14 @@ impl Model {
                 node,
                 matrix,
                 factor,
+                spin,
             } => {
-                let matrix = **matrix * *factor;
-                Ok(Inertia::rigid_body(*node, &Motion::identity(), &matrix))
+                let body = **matrix * *factor;
+                let body = Inertia::rigid_body(*node, &Motion::identity(), &body);
+                Ok(match spin {
+                    Some(spin) => body.spinning(&[spin.twist(matrix)]),
+                    None => body,
+                })
             }
         };
         self.inertias.iter().map(element).collect()

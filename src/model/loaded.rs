@@ -35,6 +35,7 @@ impl Model {
             || !self.shell_loads.is_empty()
             || self.turning_frame.is_some()
             || self.rotor_symmetry.is_some()
+            || self.inertias.iter().any(InertiaDefinition::spins)
             || self.loads.iter().any(LoadDefinition::is_newer)
             || self.forces.iter().any(is_newer)
     }
@@ -70,13 +71,10 @@ impl Model {
             model.take_shell(shell)?;
         }
         for inertia in self.inertias {
-            if let InertiaDefinition::Body { node, factor, .. } = &inertia {
+            if let InertiaDefinition::Body { node, .. } = &inertia {
                 model.require_node("inertia", *node)?;
-                require_finite("inertia", &[*factor])?;
             }
-            if let Some(matrix) = inertia.of_body() {
-                require_finite("inertia", matrix.as_slice())?;
-            }
+            inertia.require_clean()?;
             model.inertias.push(inertia);
         }
         for joint in self.joints {

@@ -141,7 +141,14 @@ impl Model {
                 let bodies = self.inertias.iter().filter_map(InertiaDefinition::of_body);
                 bodies.skip(body).take(1).try_for_each(|matrix| {
                     require_finite("inertia times its factor", matrix.as_slice())
-                })
+                })?;
+                self.require_scaled(Target::Spin(body))
+            }
+            Target::Spin(body) => {
+                let mut bodies = self.inertias.iter().filter(|it| it.of_body().is_some());
+                bodies
+                    .nth(body)
+                    .map_or(Ok(()), InertiaDefinition::require_spin)
             }
             Target::BeamStiffness(element)
             | Target::BeamMass(element)
@@ -361,16 +368,14 @@ impl Model {
                 | ForceDefinition::Viscoelastic { rest, .. } => Some(rest),
                 _ => None,
             },
-            Target::Inertia(body) => {
-                let mut bodies = self
-                    .inertias
-                    .iter_mut()
-                    .filter_map(|inertia| match inertia {
-                        InertiaDefinition::Body { factor, .. } => Some(factor),
-                        InertiaDefinition::Beam | InertiaDefinition::Shell => None,
-                    });
-                bodies.nth(body)
-            }
+            Target::Inertia(body) => match self.body_mut(body)? {
+                InertiaDefinition::Body { factor, .. } => Some(factor),
+                _ => None,
+            },
+            Target::Spin(body) => match self.body_mut(body)? {
+                InertiaDefinition::Body { spin, .. } => Some(&mut spin.as_mut()?.rate),
+                _ => None,
+            },
             Target::BeamStiffness(element) => Some(&mut self.beams.get_mut(element)?.factors[0]),
             Target::BeamMass(element) => Some(&mut self.beams.get_mut(element)?.factors[1]),
             Target::BeamDamping(element) => Some(&mut self.beams.get_mut(element)?.factors[2]),

@@ -51,6 +51,9 @@ pub enum Target {
     /// Factor of an inertia, in the order in which bodies, masses and inertias were given, without
     /// those of beams.
     Inertia(usize),
+    /// Angle in a unit of time that an inertia spins, see
+    /// [`Model::set_spin`](super::Model::set_spin); numbered as for [`Target::Inertia`].
+    Spin(usize),
     /// Factor of the sections' stiffness along a beam element.
     BeamStiffness(usize),
     /// Factor of the sections' mass along a beam element.
@@ -92,6 +95,7 @@ impl Target {
         matches!(
             self,
             Target::Inertia(_)
+                | Target::Spin(_)
                 | Target::BeamStiffness(_)
                 | Target::BeamMass(_)
                 | Target::BeamDamping(_)
@@ -128,6 +132,10 @@ pub(super) fn no_such(target: Target) -> Error {
             format!("force {force}"),
         ),
         Target::Inertia(inertia) => ("an inertia that was given", format!("inertia {inertia}")),
+        Target::Spin(inertia) => (
+            "an inertia that was given a spin",
+            format!("inertia {inertia}"),
+        ),
         Target::BeamStiffness(element)
         | Target::BeamMass(element)
         | Target::BeamDamping(element) => {

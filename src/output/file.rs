@@ -11,8 +11,9 @@
 //! 1. Beams with the motions of their nodes, and the inertia of each written out; functions of the
 //!    user with what belongs to them. It can still be read. Of solutions only.
 //! 2. Definitions alone.
-//! 3. With relations, shells, bushings, controllers, or loads at points that are no nodes, which
-//!    readers of version 2 may not know and would leave out. A file without these is of version 2.
+//! 3. With relations, shells, bushings, controllers, bodies that spin, or loads at points that are
+//!    no nodes, which readers of version 2 may not know and would leave out. A file without these
+//!    is of version 2.
 
 use super::saved::Content;
 use super::saved_branch::BranchContent;

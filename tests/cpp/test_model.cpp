@@ -372,6 +372,9 @@ static void everything()
     CHECK(m.prescribed(pdn::first_prescribed + 1).joint == joint(8));
     CHECK(m.inertia_count() == 6 && m.inertia(pdn::first_inertia + 4).node == b);
     CHECK(m.inertia_of(b) == pdn::first_inertia + 1);
+    m.set_spin(m.inertia_of(b), {0, 3, 0}, 2.5);
+    const pdn::ModelSpin spin = m.spin(m.inertia_of(b));
+    CHECK(spin.rate == 2.5 && spin.axis[1] == 1);
     CHECK(m.load_count() == 0 && m.shell_load_count() == 0);
     const auto speed = m.add_parameter("speed", 3, 2);
     CHECK(m.parameter_count() == 1 && m.parameter_name(speed) == "speed");

@@ -5,12 +5,12 @@ use crate::collocation::rule::RuleWorkspace;
 use crate::collocation::state::GridState;
 use crate::elements::{Element, Inertia, InertialForces, NodeState};
 use crate::error::{Error, ErrorKind, Result};
-use crate::system::{Conditions, OwnValues, Placed, describe_role};
+use crate::system::{Conditions, ElementRole, OwnValues, Placed, describe_role};
 use nalgebra::{DVector, Vector6};
 
 impl Collocation {
-    /// Momenta of an inertia's nodes at grid point `k`.
-    pub(super) fn momenta(&self, inertia: &Inertia, k: usize) -> (DVector<f64>, DVector<f64>) {
+    /// Momenta of an inertia at its nodes at grid point `k`, and its twists there.
+    pub(super) fn momenta(&self, inertia: &Inertia, k: usize) -> [DVector<f64>; 2] {
         let nodes = inertia.nodes();
         let mut twists = DVector::zeros(6 * nodes.len());
         for (a, &node) in nodes.iter().enumerate() {
@@ -18,7 +18,7 @@ impl Collocation {
             let at = self.system.inertial_state(at);
             twists.fixed_rows_mut::<6>(6 * a).copy_from(&at.twist);
         }
-        (inertia.mass() * &twists, twists)
+        inertia.momenta(twists)
     }
 
     /// What an element is looked at under at grid point `k`, at rest and without multipliers.
@@ -54,7 +54,7 @@ impl Collocation {
         for (k, share) in shares.iter().enumerate() {
             let mut sum = 0.0;
             for inertia in system.inertias() {
-                let (momenta, twists) = self.momenta(inertia, k);
+                let [momenta, twists] = self.momenta(inertia, k);
                 sum += 0.5 * momenta.dot(&twists);
             }
             let conditions = self.conditions_at(state, k);
@@ -76,7 +76,9 @@ impl Collocation {
         let (points, system) = (self.grid.points(), &self.system);
         let shares = self.grid.shares();
         let mut workspace = system.workspace(false);
-        for placed in system.elements() {
+        // Damping has no energy, but acts on what spins in nodes at rest.
+        let has_energy = |placed: &&Placed| placed.role != ElementRole::MassDamping;
+        for placed in system.elements().iter().filter(has_energy) {
             let zeros = vec![0.0; placed.element.own_unknowns()];
             let own = OwnValues {
                 values: &zeros,
@@ -97,7 +99,7 @@ impl Collocation {
             }
         }
         self.vary_inertias(row, |inertia, k| {
-            let (momenta, _) = self.momenta(inertia, k);
+            let [momenta, _] = self.momenta(inertia, k);
             [DVector::zeros(momenta.len()), momenta]
         });
         Ok(())

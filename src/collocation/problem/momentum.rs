@@ -26,7 +26,7 @@ impl Collocation {
         let mut mean = 0.0;
         for (k, share) in self.grid.shares().iter().enumerate() {
             for inertia in self.system.inertias() {
-                let (momenta, _) = self.momenta(inertia, k);
+                let [momenta, _] = self.momenta(inertia, k);
                 mean += share * momenta.dot(&self.common_twists(inertia, k, twist));
             }
         }
@@ -36,7 +36,7 @@ impl Collocation {
     /// Adds its derivatives by material increments of the motions to `row`.
     pub fn add_momentum_gradient(&self, twist: &Vector6<f64>, row: &mut [f64]) {
         self.vary_inertias(row, |inertia, k| {
-            let (mut momenta, _) = self.momenta(inertia, k);
+            let [mut momenta, _] = self.momenta(inertia, k);
             let twists = self.common_twists(inertia, k, twist);
             let by_velocities = inertia.mass() * &twists;
             // An increment Δu changes the twist W by W̃ Δu.

@@ -62,6 +62,10 @@ mod tests {
         model.loads.clear();
         model.distributed_loads.clear();
         model.set_gravity([1.0, -2.0, 3.0].map(|g| Signal::constant(g).unwrap()));
+        // The hub spins, and what damps that has no energy.
+        let axis = nalgebra::Vector3::new(0.3, 0.4, -1.0);
+        model.set_spin(0, &axis, 3.1).unwrap();
+        model.set_mass_damping(0.4).unwrap();
         let mut at = Linearised::new(&model, period, 5, |_| 0.0);
         at.check_gradient(&Energy { value: 0.0 });
     }

@@ -58,6 +58,10 @@ mod tests {
             .set_turning_frame(&Vector3::new(0.3, -0.2, 1.0), 2.3, &origin)
             .unwrap();
         model.set_gravity([0.0; 3].map(|g| Signal::constant(g).unwrap()));
+        // The hub spins.
+        model
+            .set_spin(0, &Vector3::new(0.3, 0.4, -1.0), 3.1)
+            .unwrap();
         let mut at = Linearised::new(&model, period, 5, |_| 0.0);
         let (axis, point) = (Vector3::new(0.2, 1.0, 0.5), Vector3::new(0.3, -0.1, 0.7));
         for motion in [
