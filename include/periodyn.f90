@@ -192,6 +192,8 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_NUMBER_SHELL_THICKNESS = 3612
     integer(c_int32_t), parameter :: PDN_NUMBER_FRAME_RATE = 3613
     integer(c_int32_t), parameter :: PDN_NUMBER_SPIN = 3614
+    integer(c_int32_t), parameter :: PDN_NUMBER_BEAM_SPIN = 3615
+    integer(c_int32_t), parameter :: PDN_NUMBER_FRAME_ADVANCE = 3616
     integer(c_int32_t), parameter :: PDN_PART_MEAN = 3800
     integer(c_int32_t), parameter :: PDN_PART_RATE = 3801
     integer(c_int32_t), parameter :: PDN_PART_AMPLITUDE = 3802
@@ -1532,6 +1534,25 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_turning_frame
         end function pdn_model_turning_frame
 
+        ! Lets the frame that everything is described in advance along its axis at a constant
+        ! speed, too: motions that repeat themselves but for a translation in each period, or for
+        ! a screw motion, are periodic there
+        function pdn_model_set_frame_advance(model, &
+            speed) bind(C, name="pdn_model_set_frame_advance")
+            import
+            type(c_ptr), value :: model
+            real(c_double), value :: speed
+            integer(c_int32_t) :: pdn_model_set_frame_advance
+        end function pdn_model_set_frame_advance
+
+        ! Speed along its axis of the frame that a model is described in
+        function pdn_model_frame_advance(model, speed) bind(C, name="pdn_model_frame_advance")
+            import
+            type(c_ptr), value :: model
+            real(c_double), intent(inout) :: speed
+            integer(c_int32_t) :: pdn_model_frame_advance
+        end function pdn_model_frame_advance
+
         ! Lets a rigid body, or a mass or inertia on a node, spin at a constant rate relative to
         ! its node, about an axis through its centre of mass which is fixed in the node: a disk, a
         ! rotor, a flywheel with its gyroscopic moments, on a node that does not turn with it
@@ -1554,6 +1575,28 @@ module periodyn_c
             real(c_double), intent(inout) :: rate
             integer(c_int32_t) :: pdn_model_spin
         end function pdn_model_spin
+
+        ! Lets the material of beam elements spin about axis 1 of their sections at a constant
+        ! rate relative to their nodes, which do not spin along: a shaft that turns, and whirls by
+        ! small angles about where it stands, as ::pdn_model_set_spin lets a disk on it
+        function pdn_model_set_beam_spin(model, first_element, elements, &
+            rate) bind(C, name="pdn_model_set_beam_spin")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: first_element
+            integer(c_int32_t), value :: elements
+            real(c_double), value :: rate
+            integer(c_int32_t) :: pdn_model_set_beam_spin
+        end function pdn_model_set_beam_spin
+
+        ! The rate at which the material of a beam element spins relative to its nodes
+        function pdn_model_beam_spin(model, element, rate) bind(C, name="pdn_model_beam_spin")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: element
+            real(c_double), intent(inout) :: rate
+            integer(c_int32_t) :: pdn_model_beam_spin
+        end function pdn_model_beam_spin
 
         ! Says that the blades of a rotor are alike, in place of what was said before: periodic
         ! solves, also under conditions, then solve for one blade, the hub and the supports, and
@@ -4050,8 +4093,12 @@ module periodyn
         procedure, public :: add_load_at_places => model_add_load_at_places
         procedure, public :: set_turning_frame => model_set_turning_frame
         procedure, public :: turning_frame => model_turning_frame
+        procedure, public :: set_frame_advance => model_set_frame_advance
+        procedure, public :: frame_advance => model_frame_advance
         procedure, public :: set_spin => model_set_spin
         procedure, public :: spin => model_spin
+        procedure, public :: set_beam_spin => model_set_beam_spin
+        procedure, public :: beam_spin => model_beam_spin
         procedure, public :: set_rotor_symmetry => model_set_rotor_symmetry
         procedure, public :: rotor_symmetry => model_rotor_symmetry
         procedure, public :: rotor_node => model_rotor_node
@@ -4301,7 +4348,8 @@ module periodyn
         model_add_beam_element, model_add_straight_beam, model_add_beam, model_add_beam_between, &
         model_add_load, model_add_load_at_point, model_add_load_on_beam, model_set_gravity, &
         model_set_gravity_signals, model_add_distributed_load, model_add_load_at_places, &
-        model_set_turning_frame, model_turning_frame, model_set_spin, model_spin, &
+        model_set_turning_frame, model_turning_frame, model_set_frame_advance, &
+        model_frame_advance, model_set_spin, model_spin, model_set_beam_spin, model_beam_spin, &
         model_set_rotor_symmetry, model_rotor_symmetry, model_rotor_node, &
         model_add_shell_element, model_add_shell, model_add_shell_grid, &
         model_add_shell_quadrilaterals, model_shell_patch_node, model_shell_element_count, &
@@ -6432,6 +6480,34 @@ contains
         call report(status, stat, errmsg)
     end subroutine model_turning_frame
 
+    ! Lets the frame that everything is described in advance along its axis at a constant speed,
+    ! too: motions that repeat themselves but for a translation in each period, or for a screw
+    ! motion, are periodic there.
+    subroutine model_set_frame_advance(self, speed, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        real(c_double), intent(in) :: speed
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_set_frame_advance(self%c, speed)
+        call report(status, stat, errmsg)
+    end subroutine model_set_frame_advance
+
+    ! Speed along its axis of the frame that a model is described in.
+    subroutine model_frame_advance(self, speed, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        real(c_double), intent(inout) :: speed
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        real(c_double) :: found_speed
+        integer(c_int32_t) :: status
+
+        status = pdn_model_frame_advance(self%c, found_speed)
+        if (status == PDN_OK) speed = found_speed
+        call report(status, stat, errmsg)
+    end subroutine model_frame_advance
+
     ! Lets a rigid body, or a mass or inertia on a node, spin at a constant rate relative to its
     ! node, about an axis through its centre of mass which is fixed in the node: a disk, a rotor,
     ! a flywheel with its gyroscopic moments, on a node that does not turn with it.
@@ -6461,6 +6537,36 @@ contains
         if (status == PDN_OK) rate = found_rate
         call report(status, stat, errmsg)
     end subroutine model_spin
+
+    ! Lets the material of beam elements spin about axis 1 of their sections at a constant rate
+    ! relative to their nodes, which do not spin along: a shaft that turns, and whirls by small
+    ! angles about where it stands, as set_spin lets a disk on it.
+    subroutine model_set_beam_spin(self, first_element, elements, rate, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first_element, elements
+        real(c_double), intent(in) :: rate
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = pdn_model_set_beam_spin(self%c, first_element, elements, rate)
+        call report(status, stat, errmsg)
+    end subroutine model_set_beam_spin
+
+    ! The rate at which the material of a beam element spins relative to its nodes.
+    subroutine model_beam_spin(self, element, rate, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: element
+        real(c_double), intent(inout) :: rate
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        real(c_double) :: found_rate
+        integer(c_int32_t) :: status
+
+        status = pdn_model_beam_spin(self%c, element, found_rate)
+        if (status == PDN_OK) rate = found_rate
+        call report(status, stat, errmsg)
+    end subroutine model_beam_spin
 
     ! Says that the blades of a rotor are alike, in place of what was said before: periodic
     ! solves, also under conditions, then solve for one blade, the hub and the supports, and the

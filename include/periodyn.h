@@ -968,6 +968,18 @@
 #define PDN_NUMBER_SPIN 3614
 
 /**
+ * A parameter moves the rate at which the material of a beam element spins,
+ * ::pdn_model_set_beam_spin.
+ */
+#define PDN_NUMBER_BEAM_SPIN 3615
+
+/**
+ * A parameter moves the speed of the frame that everything is described in along its axis,
+ * ::pdn_model_set_frame_advance.
+ */
+#define PDN_NUMBER_FRAME_ADVANCE 3616
+
+/**
  * Part of a signal: the mean that is added to its shape.
  */
 #define PDN_PART_MEAN 3800
@@ -4783,7 +4795,7 @@ pdn_status pdn_model_add_load_at_places(struct pdn_model *model,
  * accelerations of nodes are those in the inertial frame, along the axes of the frame or of the
  * node, in results and in forces of yours on nodes and shells; rates of joints, and dampers, know
  * the motion in the frame only. Loads with PDN_FRAME_SPACE keep their directions in the frame.
- * Gravity must be along the axis: a solve refuses any other.
+ * Gravity must be along the axis: a solve refuses any other, unless the rate is zero.
  *
  * A motion M of the frame is exp(axis rate t) M in the inertial one: it repeats itself after the
  * period T but for a turn of rate T. Supports that are no different when they turn about the axis,
@@ -4823,6 +4835,44 @@ pdn_status pdn_model_turning_frame(const struct pdn_model *model,
                                    double *axis,
                                    double *rate,
                                    double *point);
+
+/**
+ * Lets the frame that everything is described in advance along its axis at a constant speed, too:
+ * motions that repeat themselves but for a translation in each period, or for a screw motion, are
+ * periodic there. A frame of ::pdn_model_set_turning_frame with the rate zero only advances.
+ *
+ * Inertial forces do not change by it. What sees it are velocities in the inertial frame: those of
+ * nodes in results and in forces of yours on nodes, beams and shells, damping in proportion to
+ * mass, energies and momenta. The ground that joints, springs and dampers hold on to moves along;
+ * what stands still beside the way is described by forces of yours.
+ *
+ * The speed may be unknown, a free parameter (PDN_NUMBER_FRAME_ADVANCE) with a condition
+ * (::pdn_conditions_add_translation_phase): the drift of a motion that goes on.
+ *
+ * @param model  the model, with a turning frame; not NULL
+ * @param speed  speed along the axis \[length/time\]; zero after ::pdn_model_set_turning_frame
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_NOT_AVAILABLE (no turning frame)
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_set_frame_advance(struct pdn_model *model,
+                                       double speed);
+
+/**
+ * Speed along its axis of the frame that a model is described in.
+ *
+ * @param model  the model; not NULL
+ * @param speed  speed along the axis \[length/time\]; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_AVAILABLE (it is described in the inertial frame)
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_frame_advance(const struct pdn_model *model,
+                                   double *speed);
 
 /**
  * Lets a rigid body, or a mass or inertia on a node, spin at a constant rate relative to its node,
@@ -4877,6 +4927,53 @@ pdn_status pdn_model_spin(const struct pdn_model *model,
                           int32_t inertia,
                           double *axis,
                           double *rate);
+
+/**
+ * Lets the material of beam elements spin about axis 1 of their sections at a constant rate
+ * relative to their nodes, which do not spin along: a shaft that turns, and whirls by small angles
+ * about where it stands, as ::pdn_model_set_spin lets a disk on it.
+ *
+ * Rotary inertia is that of sections that spin. Damping acts on the rates of strains that the
+ * material sees, which change with each turn where the shaft is bent: it is a rotating damping,
+ * which makes a shaft unstable that turns faster than its first critical speed, unless other
+ * damping holds it. Such a beam has no energy that is known. What loads the beam, and beam
+ * quantities, are in the axes that do not spin.
+ *
+ * The elements must be straight, axis 1 of their nodes along them, and stiffness, mass and damping
+ * of their sections symmetric about axis 1, to 1e-8.
+ *
+ * @param model  the model; not NULL
+ * @param first_element  id of the first beam element
+ * @param elements  number of elements, in order, at least 1
+ * @param rate  angle in a unit of time \[rad/time\]; 0 for beams that do not spin
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE (a
+ *     beam is not straight, or a section not symmetric)
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_set_beam_spin(struct pdn_model *model,
+                                   int32_t first_element,
+                                   int32_t elements,
+                                   double rate);
+
+/**
+ * The rate at which the material of a beam element spins relative to its nodes.
+ *
+ * @param model  the model; not NULL
+ * @param element  id of the beam element
+ * @param rate  angle in a unit of time \[rad/time\], 0 if it does not spin; written on success
+ *     only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_beam_spin(const struct pdn_model *model,
+                               int32_t element,
+                               double *rate);
 
 /**
  * Says that the blades of a rotor are alike, in place of what was said before: periodic solves,
@@ -7167,7 +7264,8 @@ pdn_status pdn_model_find_parameter(const struct pdn_model *model,
  * @param parameter  id of the parameter
  * @param number  PDN_NUMBER_STIFFNESS, ...
  * @param id  id of the force, inertia, beam element or shell element that has it; 0 for
- *     PDN_NUMBER_MASS_DAMPING and PDN_NUMBER_FRAME_RATE, which are of the whole model
+ *     PDN_NUMBER_MASS_DAMPING, PDN_NUMBER_FRAME_RATE and PDN_NUMBER_FRAME_ADVANCE, which are of
+ *     the whole model
  * @param power  power, from 1, of a stiffness or damping; 0 for all else
  * @param factor  the number for a unit of the parameter, not zero
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID (no such parameter or number),

@@ -486,6 +486,12 @@ enum class Number : std::int32_t {
     frame_rate = PDN_NUMBER_FRAME_RATE,
     /** A parameter moves the rate at which an inertia spins, ::pdn_model_set_spin. */
     spin = PDN_NUMBER_SPIN,
+    /** A parameter moves the rate at which the material of a beam element spins,
+     * ::pdn_model_set_beam_spin. */
+    beam_spin = PDN_NUMBER_BEAM_SPIN,
+    /** A parameter moves the speed of the frame that everything is described in along its axis,
+     * ::pdn_model_set_frame_advance. */
+    frame_advance = PDN_NUMBER_FRAME_ADVANCE,
     /** Numbers of a force: relaxation times of the branches of a viscoelastic element. */
     relaxation_time = PDN_NUMBER_RELAXATION_TIME,
 };
@@ -2124,6 +2130,20 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         detail::check(pdn_model_turning_frame(get(), axis.data(), &rate, point.data()));
         return {axis, rate, point};
     }
+    /** Lets the frame that everything is described in advance along its axis at a constant speed,
+     * too: motions that repeat themselves but for a translation in each period, or for a screw
+     * motion, are periodic there. */
+    void set_frame_advance(double speed)
+    {
+        detail::check(pdn_model_set_frame_advance(get(), speed));
+    }
+    /** Speed along its axis of the frame that a model is described in. */
+    double frame_advance() const
+    {
+        double speed = 0;
+        detail::check(pdn_model_frame_advance(get(), &speed));
+        return speed;
+    }
     /** Lets a rigid body, or a mass or inertia on a node, spin at a constant rate relative to its
      * node, about an axis through its centre of mass which is fixed in the node: a disk, a rotor, a
      * flywheel with its gyroscopic moments, on a node that does not turn with it. */
@@ -2138,6 +2158,20 @@ class Model : public detail::Handle<pdn_model, pdn_model_free>
         double rate = 0;
         detail::check(pdn_model_spin(get(), inertia, axis.data(), &rate));
         return {axis, rate};
+    }
+    /** Lets the material of beam elements spin about axis 1 of their sections at a constant rate
+     * relative to their nodes, which do not spin along: a shaft that turns, and whirls by small
+     * angles about where it stands, as ::pdn_model_set_spin lets a disk on it. */
+    void set_beam_spin(std::int32_t first_element, std::int32_t elements, double rate)
+    {
+        detail::check(pdn_model_set_beam_spin(get(), first_element, elements, rate));
+    }
+    /** The rate at which the material of a beam element spins relative to its nodes. */
+    double beam_spin(std::int32_t element) const
+    {
+        double rate = 0;
+        detail::check(pdn_model_beam_spin(get(), element, &rate));
+        return rate;
     }
     /** Says that the blades of a rotor are alike, in place of what was said before: periodic
      * solves, also under conditions, then solve for one blade, the hub and the supports, and the

@@ -453,6 +453,13 @@ Model.set_turning_frame.
 """
 NUMBER_SPIN = 3614
 """A parameter moves the rate at which an inertia spins, Model.set_spin."""
+NUMBER_BEAM_SPIN = 3615
+"""A parameter moves the rate at which the material of a beam element spins, Model.set_beam_spin.
+"""
+NUMBER_FRAME_ADVANCE = 3616
+"""A parameter moves the speed of the frame that everything is described in along its axis,
+Model.set_frame_advance.
+"""
 PART_MEAN = 3800
 """Part of a signal: the mean that is added to its shape."""
 PART_RATE = 3801
@@ -3410,7 +3417,7 @@ class Model(ModelExtras):
         the frame or of the node, in results and in forces of yours on nodes and shells; rates
         of joints, and dampers, know the motion in the frame only. Loads with FRAME_SPACE keep
         their directions in the frame. Gravity must be along the axis: a solve refuses any
-        other.
+        other, unless the rate is zero.
 
         A motion M of the frame is exp(axis rate t) M in the inertial one: it repeats itself
         after the period T but for a turn of rate T. Supports that are no different when they
@@ -3441,6 +3448,36 @@ class Model(ModelExtras):
         point = reals.empty((3,))
         call(lib.pdn_model_turning_frame, self._c, pointer(axis), rate, pointer(point))
         return axis, rate[0], point
+
+    def set_frame_advance(self, speed):
+        """Lets the frame that everything is described in advance along its axis at a constant
+        speed, too: motions that repeat themselves but for a translation in each period, or for
+        a screw motion, are periodic there. A frame of Model.set_turning_frame with the rate
+        zero only advances.
+
+        Inertial forces do not change by it. What sees it are velocities in the inertial frame:
+        those of nodes in results and in forces of yours on nodes, beams and shells, damping in
+        proportion to mass, energies and momenta. The ground that joints, springs and dampers
+        hold on to moves along; what stands still beside the way is described by forces of
+        yours.
+
+        The speed may be unknown, a free parameter (NUMBER_FRAME_ADVANCE) with a condition
+        (Conditions.add_translation_phase): the drift of a motion that goes on.
+
+        Args:
+            speed: speed along the axis [length/time]; zero after Model.set_turning_frame
+        """
+        call(lib.pdn_model_set_frame_advance, self._c, speed)
+
+    def frame_advance(self):
+        """Speed along its axis of the frame that a model is described in.
+
+        Returns:
+            speed: speed along the axis [length/time]
+        """
+        speed = ffi.new("double *")
+        call(lib.pdn_model_frame_advance, self._c, speed)
+        return speed[0]
 
     def set_spin(self, inertia, axis, rate):
         """Lets a rigid body, or a mass or inertia on a node, spin at a constant rate relative to
@@ -3484,6 +3521,40 @@ class Model(ModelExtras):
         rate = ffi.new("double *")
         call(lib.pdn_model_spin, self._c, inertia, pointer(axis), rate)
         return axis, rate[0]
+
+    def set_beam_spin(self, first_element, elements, rate):
+        """Lets the material of beam elements spin about axis 1 of their sections at a constant
+        rate relative to their nodes, which do not spin along: a shaft that turns, and whirls by
+        small angles about where it stands, as Model.set_spin lets a disk on it.
+
+        Rotary inertia is that of sections that spin. Damping acts on the rates of strains that
+        the material sees, which change with each turn where the shaft is bent: it is a rotating
+        damping, which makes a shaft unstable that turns faster than its first critical speed,
+        unless other damping holds it. Such a beam has no energy that is known. What loads the
+        beam, and beam quantities, are in the axes that do not spin.
+
+        The elements must be straight, axis 1 of their nodes along them, and stiffness, mass and
+        damping of their sections symmetric about axis 1, to 1e-8.
+
+        Args:
+            first_element: id of the first beam element
+            elements: number of elements, in order, at least 1
+            rate: angle in a unit of time [rad/time]; 0 for beams that do not spin
+        """
+        call(lib.pdn_model_set_beam_spin, self._c, first_element, elements, rate)
+
+    def beam_spin(self, element):
+        """The rate at which the material of a beam element spins relative to its nodes.
+
+        Args:
+            element: id of the beam element
+
+        Returns:
+            rate: angle in a unit of time [rad/time], 0 if it does not spin
+        """
+        rate = ffi.new("double *")
+        call(lib.pdn_model_beam_spin, self._c, element, rate)
+        return rate[0]
 
     def set_rotor_symmetry(self, axis, blades, nodes, hub, point=None):
         """Says that the blades of a rotor are alike, in place of what was said before: periodic
@@ -4962,7 +5033,8 @@ class Model(ModelExtras):
             parameter: id of the parameter
             number: NUMBER_STIFFNESS,
             id: id of the force, inertia, beam element or shell element that has it; 0 for
-                NUMBER_MASS_DAMPING and NUMBER_FRAME_RATE, which are of the whole model
+                NUMBER_MASS_DAMPING, NUMBER_FRAME_RATE and NUMBER_FRAME_ADVANCE, which are of
+                the whole model
             power: power, from 1, of a stiffness or damping; 0 for all else
             factor: the number for a unit of the parameter, not zero
         """

@@ -198,6 +198,8 @@ NUMBER_SHELL_DAMPING: int
 NUMBER_SHELL_THICKNESS: int
 NUMBER_FRAME_RATE: int
 NUMBER_SPIN: int
+NUMBER_BEAM_SPIN: int
+NUMBER_FRAME_ADVANCE: int
 PART_MEAN: int
 PART_RATE: int
 PART_AMPLITUDE: int
@@ -986,9 +988,17 @@ class Model(ModelExtras):
 
     def turning_frame(self) -> tuple[NDArray[numpy.float64], float, NDArray[numpy.float64]]: ...
 
+    def set_frame_advance(self, speed: float) -> None: ...
+
+    def frame_advance(self) -> float: ...
+
     def set_spin(self, inertia: int, axis: ArrayLike, rate: float) -> None: ...
 
     def spin(self, inertia: int) -> tuple[NDArray[numpy.float64], float]: ...
+
+    def set_beam_spin(self, first_element: int, elements: int, rate: float) -> None: ...
+
+    def beam_spin(self, element: int) -> float: ...
 
     def set_rotor_symmetry(
         self,

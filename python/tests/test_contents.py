@@ -85,6 +85,13 @@ def test_labels_and_contents():
     model.set_spin(model.inertia_of(body), [0, 0, 2], 3.5)
     axis, rate = model.spin(model.inertia_of(body))
     assert rate == 3.5 and axis.tolist() == [0, 0, 1]
+    model.set_turning_frame([0, 0, 1], 0.0)
+    model.set_frame_advance(1.5)
+    assert model.frame_advance() == 1.5
+    section = pdn.Section().set_diagonal([8e3, 3e3, 3e3, 14, 9, 9], [0.3, 1e-5, 5e-6, 5e-6])
+    shaft = model.add_straight_beam([0, 0, 0], [1, 0, 0], [0, 1, 0], section, 2, 2)
+    model.set_beam_spin(shaft.first_element, 2, -4)
+    assert model.beam_spin(shaft.first_element + 1) == -4
     node, first_element, elements, fraction, offset, frame = model.load_at(pdn.FIRST_LOAD)
     assert (node, first_element, elements, fraction) == (body, -1, 0, 0)
     assert frame == pdn.FRAME_SPACE and not offset.any()

@@ -46,6 +46,12 @@ pub const PDN_NUMBER_SHELL_THICKNESS: i32 = 3612;
 pub const PDN_NUMBER_FRAME_RATE: i32 = 3613;
 /// A parameter moves the rate at which an inertia spins, ::pdn_model_set_spin.
 pub const PDN_NUMBER_SPIN: i32 = 3614;
+/// A parameter moves the rate at which the material of a beam element spins,
+/// ::pdn_model_set_beam_spin.
+pub const PDN_NUMBER_BEAM_SPIN: i32 = 3615;
+/// A parameter moves the speed of the frame that everything is described in along its axis,
+/// ::pdn_model_set_frame_advance.
+pub const PDN_NUMBER_FRAME_ADVANCE: i32 = 3616;
 
 /// Part of a signal: the mean that is added to its shape.
 pub const PDN_PART_MEAN: i32 = 3800;
@@ -221,7 +227,8 @@ fn count(value: i32, name: &str) -> Result<usize> {
 /// @param parameter  id of the parameter
 /// @param number  PDN_NUMBER_STIFFNESS, ...
 /// @param id  id of the force, inertia, beam element or shell element that has it; 0 for
-///     PDN_NUMBER_MASS_DAMPING and PDN_NUMBER_FRAME_RATE, which are of the whole model
+///     PDN_NUMBER_MASS_DAMPING, PDN_NUMBER_FRAME_RATE and PDN_NUMBER_FRAME_ADVANCE, which are of
+///     the whole model
 /// @param power  power, from 1, of a stiffness or damping; 0 for all else
 /// @param factor  the number for a unit of the parameter, not zero
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID (no such parameter or number),
@@ -259,12 +266,14 @@ fn target(model: &Model, number: i32, id: i32, power: usize) -> Result<Target> {
         PDN_NUMBER_BEAM_STIFFNESS => Target::BeamStiffness(of(beam)?),
         PDN_NUMBER_BEAM_MASS => Target::BeamMass(of(beam)?),
         PDN_NUMBER_BEAM_DAMPING => Target::BeamDamping(of(beam)?),
+        PDN_NUMBER_BEAM_SPIN => Target::BeamSpin(of(beam)?),
         PDN_NUMBER_MASS_DAMPING => of_the_whole(id, Target::MassDamping)?,
         PDN_NUMBER_SHELL_STIFFNESS => Target::ShellStiffness(of(shell)?),
         PDN_NUMBER_SHELL_MASS => Target::ShellMass(of(shell)?),
         PDN_NUMBER_SHELL_DAMPING => Target::ShellDamping(of(shell)?),
         PDN_NUMBER_SHELL_THICKNESS => Target::ShellThickness(of(shell)?),
         PDN_NUMBER_FRAME_RATE => of_the_whole(id, Target::FrameRate)?,
+        PDN_NUMBER_FRAME_ADVANCE => of_the_whole(id, Target::FrameAdvance)?,
         PDN_NUMBER_SPIN => Target::Spin(of(Kind::Inertia)?),
         other => return Err(Error::value("number", "a constant PDN_NUMBER_...", other)),
     })

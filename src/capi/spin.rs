@@ -2,7 +2,7 @@
 
 use super::guard::guard;
 use super::id::Kind;
-use super::model::pdn_model;
+use super::model::{element_count, pdn_model};
 use super::status::pdn_status;
 use crate::error::{Error, ErrorKind};
 use nalgebra::Vector3;
@@ -79,6 +79,69 @@ pub unsafe extern "C" fn pdn_model_spin(
         })?;
         axis.set(spin.axis().as_slice());
         rate.set(spin.rate());
+        Ok(())
+    })
+}
+
+/// Lets the material of beam elements spin about axis 1 of their sections at a constant rate
+/// relative to their nodes, which do not spin along: a shaft that turns, and whirls by small angles
+/// about where it stands, as ::pdn_model_set_spin lets a disk on it.
+///
+/// Rotary inertia is that of sections that spin. Damping acts on the rates of strains that the
+/// material sees, which change with each turn where the shaft is bent: it is a rotating damping,
+/// which makes a shaft unstable that turns faster than its first critical speed, unless other
+/// damping holds it. Such a beam has no energy that is known. What loads the beam, and beam
+/// quantities, are in the axes that do not spin.
+///
+/// The elements must be straight, axis 1 of their nodes along them, and stiffness, mass and damping
+/// of their sections symmetric about axis 1, to 1e-8.
+///
+/// @param model  the model; not NULL
+/// @param first_element  id of the first beam element
+/// @param elements  number of elements, in order, at least 1
+/// @param rate  angle in a unit of time \[rad/time\]; 0 for beams that do not spin
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE (a
+///     beam is not straight, or a section not symmetric)
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_set_beam_spin(
+    model: *mut pdn_model,
+    first_element: i32,
+    elements: i32,
+    rate: f64,
+) -> pdn_status {
+    guard(|call| {
+        let mut model = call.exclusive(model, "model")?;
+        let first = Kind::BeamElement.index_in(&model, first_element, "first_element")?;
+        let count = element_count(elements)?;
+        let rate = call.number(rate, "rate")?;
+        model.set_beam_spin(first, count, rate)
+    })
+}
+
+/// The rate at which the material of a beam element spins relative to its nodes.
+///
+/// @param model  the model; not NULL
+/// @param element  id of the beam element
+/// @param rate  angle in a unit of time \[rad/time\], 0 if it does not spin; written on success
+///     only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_beam_spin(
+    model: *const pdn_model,
+    element: i32,
+    rate: *mut f64,
+) -> pdn_status {
+    guard(|call| {
+        let model = call.shared(model, "model")?;
+        let element = Kind::BeamElement.index_in(&model, element, "element")?;
+        let rate = call.out(rate, "rate")?;
+        rate.set(model.beam_definition(element)?.spin);
         Ok(())
     })
 }

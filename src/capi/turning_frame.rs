@@ -14,7 +14,7 @@ use nalgebra::Vector3;
 /// accelerations of nodes are those in the inertial frame, along the axes of the frame or of the
 /// node, in results and in forces of yours on nodes and shells; rates of joints, and dampers, know
 /// the motion in the frame only. Loads with PDN_FRAME_SPACE keep their directions in the frame.
-/// Gravity must be along the axis: a solve refuses any other.
+/// Gravity must be along the axis: a solve refuses any other, unless the rate is zero.
 ///
 /// A motion M of the frame is exp(axis rate t) M in the inertial one: it repeats itself after the
 /// period T but for a turn of rate T. Supports that are no different when they turn about the axis,
@@ -69,13 +69,67 @@ pub unsafe extern "C" fn pdn_model_turning_frame(
         let axis = call.out_slice(axis, 3, 3, "axis")?;
         let rate = call.out(rate, "rate")?;
         let point = call.out_slice(point, 3, 3, "point")?;
-        let frame = model.turning_frame().ok_or_else(|| {
-            let message = "model: it is described in the inertial frame";
-            Error::new(ErrorKind::NotAvailable, message)
-        })?;
+        let frame = model.turning_frame().ok_or_else(not_turning)?;
         axis.set(frame.axis().as_slice());
         rate.set(frame.rate());
         point.set(frame.point().as_slice());
         Ok(())
     })
+}
+
+/// Lets the frame that everything is described in advance along its axis at a constant speed, too:
+/// motions that repeat themselves but for a translation in each period, or for a screw motion, are
+/// periodic there. A frame of ::pdn_model_set_turning_frame with the rate zero only advances.
+///
+/// Inertial forces do not change by it. What sees it are velocities in the inertial frame: those of
+/// nodes in results and in forces of yours on nodes, beams and shells, damping in proportion to
+/// mass, energies and momenta. The ground that joints, springs and dampers hold on to moves along;
+/// what stands still beside the way is described by forces of yours.
+///
+/// The speed may be unknown, a free parameter (PDN_NUMBER_FRAME_ADVANCE) with a condition
+/// (::pdn_conditions_add_translation_phase): the drift of a motion that goes on.
+///
+/// @param model  the model, with a turning frame; not NULL
+/// @param speed  speed along the axis \[length/time\]; zero after ::pdn_model_set_turning_frame
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_NOT_AVAILABLE (no turning frame)
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_set_frame_advance(
+    model: *mut pdn_model,
+    speed: f64,
+) -> pdn_status {
+    guard(|call| {
+        let mut model = call.exclusive(model, "model")?;
+        let speed = call.number(speed, "speed")?;
+        model.set_frame_advance(speed)
+    })
+}
+
+/// Speed along its axis of the frame that a model is described in.
+///
+/// @param model  the model; not NULL
+/// @param speed  speed along the axis \[length/time\]; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_AVAILABLE (it is described in the inertial frame)
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_frame_advance(
+    model: *const pdn_model,
+    speed: *mut f64,
+) -> pdn_status {
+    guard(|call| {
+        let model = call.shared(model, "model")?;
+        let speed = call.out(speed, "speed")?;
+        let frame = model.turning_frame().ok_or_else(not_turning)?;
+        speed.set(frame.advance());
+        Ok(())
+    })
+}
+
+fn not_turning() -> Error {
+    let message = "model: it is described in the inertial frame";
+    Error::new(ErrorKind::NotAvailable, message)
 }

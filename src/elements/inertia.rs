@@ -2,7 +2,7 @@
 //! (docs/theory.md, section 6.1).
 
 use super::{Contribution, Element, InertialForces, Instant, NodeState};
-use crate::error::Result;
+use crate::error::{Result, require_finite};
 use crate::motion::{Motion, halves, joined, product, skew, transposed_product};
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Matrix6x3, Vector3, Vector6};
 
@@ -82,6 +82,15 @@ impl Inertia {
             .map(<[_; 2]>::from)
             .collect();
         self
+    }
+
+    /// Checks the momenta of what spins.
+    ///
+    /// # Errors
+    /// If they are too large to be numbers.
+    pub fn require_finite(&self) -> Result<()> {
+        let mut momenta = self.spins.iter().map(|[_, momentum]| momentum);
+        momenta.try_for_each(|it| require_finite("inertia times spin", it.as_slice()))
     }
 
     /// Momentum at node `a` of what spins relative to the nodes.

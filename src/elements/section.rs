@@ -182,6 +182,11 @@ impl SectionLine {
         }
     }
 
+    /// The sections at all places.
+    pub fn all(&self) -> impl Iterator<Item = &Section> {
+        self.places.iter().map(|(_, section)| section)
+    }
+
     /// The section at `xi`, in its own axes.
     pub fn at(&self, xi: f64) -> Section {
         let (before, t) = self.locate(xi);

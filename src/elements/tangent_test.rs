@@ -254,8 +254,9 @@ fn cases() -> Vec<Case> {
     });
 
     // One that spins about an axis through its centre, which is off the node.
-    let axis = random.vector().fixed_rows::<3>(0).normalize();
-    let centre = random.vector().fixed_rows::<3>(0).into_owned();
+    let mut own = Random(43);
+    let axis = own.vector().fixed_rows::<3>(0).normalize();
+    let centre = own.vector().fixed_rows::<3>(0).into_owned();
     let symmetric = Matrix3::identity() * 0.7 + axis * axis.transpose() * 0.6;
     let inertia = rigid_body_inertia(1.9, &centre, &symmetric);
     let twist = DualVector::of_turn(&(axis * 3.0), &centre).to_twist();
@@ -263,7 +264,7 @@ fn cases() -> Vec<Case> {
     cases.push(Case {
         name: "spinning body".into(),
         element: Box::new(body.spinning(&[twist])),
-        states: states(vec![random.motion()], &mut random),
+        states: states(vec![own.motion()], &mut own),
         coordinates: vec![],
     });
 
@@ -314,6 +315,41 @@ fn cases() -> Vec<Case> {
                 states: states.clone(),
                 coordinates: vec![],
             });
+        }
+        // A straight shaft that tapers, or not, and spins.
+        let round = |seconds: f64, thick: f64| {
+            let stiffness = Vector6::new(9.0, 3.0, 3.0, 2.0, 2.5, 2.5) * thick;
+            let damping = Vector6::new(4.0, 2.0, 2.0, 1.0, 3.0, 3.0) * seconds;
+            Section {
+                stiffness: Matrix6::from_diagonal(&stiffness),
+                mass: Matrix6::from_diagonal(&Vector6::new(3.0, 3.0, 3.0, 0.4, 0.2, 0.2)),
+                damping: Matrix6::from_diagonal(&damping),
+            }
+        };
+        let straight: Vec<Motion> = lobatto_points(count)
+            .into_iter()
+            .map(|x| start.increment(&Vector6::new(0.65 * (x + 1.0), 0.0, 0.0, 0.0, 0.0, 0.0)))
+            .collect();
+        for (name, end) in [("even", round(0.4, 1.0)), ("tapered", round(0.2, 0.6))] {
+            let sections = SectionLine::new(round(0.4, 1.0), &[], end);
+            let shaft = Beam::new((0..count).collect(), straight.clone(), sections);
+            let shaft = shaft.unwrap().spinning(1.7);
+            let inertia = Box::new(shaft.inertia().unwrap()) as Box<dyn Element>;
+            let at_rest = states.iter().map(|state| NodeState::at_rest(state.motion));
+            cases.push(Case {
+                name: format!("{name} spinning shaft at rest, {count} nodes"),
+                element: Box::new(shaft.clone()),
+                states: at_rest.collect(),
+                coordinates: vec![],
+            });
+            for (element, what) in [(inertia, "inertia"), (Box::new(shaft), "shaft")] {
+                cases.push(Case {
+                    name: format!("{name} spinning {what}, {count} nodes"),
+                    element,
+                    states: states.clone(),
+                    coordinates: vec![],
+                });
+            }
         }
         let across = random.vector().fixed_rows::<3>(3).into_owned();
         let untwisted = BeamLoadFrame::Untwisted(across);

@@ -24,6 +24,13 @@ pub struct BeamDefinition {
     /// Factors of stiffness, mass and damping of all of them.
     #[serde(default = "no_factors")]
     pub factors: [f64; 3],
+    /// Angle in a unit of time that its material spins about axis 1 relative to the nodes.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub spin: f64,
+}
+
+fn is_zero(number: &f64) -> bool {
+    *number == 0.0
 }
 
 fn no_factors() -> [f64; 3] {
@@ -148,6 +155,7 @@ impl Model {
             nodes,
             sections,
             factors: no_factors(),
+            spin: 0.0,
         };
         let beam = self.element_of(&definition)?;
         require_length(&beam)?;
@@ -163,7 +171,11 @@ impl Model {
     pub(super) fn element_of(&self, beam: &BeamDefinition) -> Result<Beam> {
         let reference = beam.nodes.iter().map(|&n| self.nodes[n]).collect();
         let sections = beam.sections.scaled(&beam.factors);
-        Beam::new(beam.nodes.clone(), reference, sections)
+        let element = Beam::new(beam.nodes.clone(), reference, sections)?;
+        Ok(match beam.spin == 0.0 {
+            true => element,
+            false => element.spinning(beam.spin),
+        })
     }
 
     /// The beam element of this number.

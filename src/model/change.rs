@@ -105,7 +105,7 @@ impl Model {
     ///
     /// # Errors
     /// If there are no such elements, the section cannot be, or has mass where theirs has none, or
-    /// none where theirs has.
+    /// none where theirs has, or is not symmetric about the axis that theirs spins about.
     pub fn set_beam_section(
         &mut self,
         first_element: usize,
@@ -124,6 +124,9 @@ impl Model {
             require_as_massive(element, had_mass, made.has_mass())?;
             if had_mass {
                 made.inertia()?;
+            }
+            if beam.spin != 0.0 {
+                self.require_can_spin(&beam)?;
             }
             Ok(beam)
         });

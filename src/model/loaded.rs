@@ -36,6 +36,7 @@ impl Model {
             || self.turning_frame.is_some()
             || self.rotor_symmetry.is_some()
             || self.inertias.iter().any(InertiaDefinition::spins)
+            || self.beams.iter().any(|beam| beam.spin != 0.0)
             || self.loads.iter().any(LoadDefinition::is_newer)
             || self.forces.iter().any(is_newer)
     }
@@ -51,6 +52,7 @@ impl Model {
         };
         if let Some(frame) = self.turning_frame {
             model.set_turning_frame(&frame.axis(), frame.rate(), &frame.point())?;
+            model.set_frame_advance(frame.advance())?;
         }
         if let Some(rotor) = self.rotor_symmetry {
             let (axis, point) = (rotor.axis(), rotor.point());
@@ -66,6 +68,7 @@ impl Model {
             require_finite("factors", &beam.factors)?;
             model.element_of(&beam)?;
             model.beams.push(beam);
+            model.require_beam_can_spin(model.beams.len() - 1)?;
         }
         for shell in self.shells {
             model.take_shell(shell)?;

@@ -4,6 +4,7 @@
 //! validates its arguments and leaves the model as it was if they are refused.
 
 mod beam;
+mod beam_spin;
 mod bound;
 mod bushing;
 mod change;

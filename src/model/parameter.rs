@@ -30,7 +30,12 @@ impl Parameter {
     /// Whether forces and constraints are linear in all that it moves: of the second degree in it
     /// at most, where it moves factors of one product.
     pub(crate) fn is_linear(&self) -> bool {
-        self.targets.iter().all(|(target, _)| target.is_linear())
+        let moves = |which: fn(&Target) -> bool| self.targets.iter().any(|(t, _)| which(t));
+        // Damping by mass is a product of three factors where something spins.
+        let spins = moves(|t| matches!(t, Target::Spin(_) | Target::BeamSpin(_)));
+        let damps = moves(|t| *t == Target::MassDamping);
+        let linear = self.targets.iter().all(|(target, _)| target.is_linear());
+        linear && !(spins && damps)
     }
 
     /// Whether it changes bodies, beams or shells.
@@ -157,8 +162,10 @@ impl Model {
                     sections, factors, ..
                 } = &self.beams[element];
                 sections.scaled(factors).validate()?;
-                self.require_finite_inertia(target)
+                self.require_finite_inertia(target)?;
+                self.require_beam_can_spin(element)
             }
+            Target::BeamSpin(element) => self.require_beam_can_spin(element),
             Target::ShellStiffness(element)
             | Target::ShellMass(element)
             | Target::ShellDamping(element)
@@ -379,12 +386,14 @@ impl Model {
             Target::BeamStiffness(element) => Some(&mut self.beams.get_mut(element)?.factors[0]),
             Target::BeamMass(element) => Some(&mut self.beams.get_mut(element)?.factors[1]),
             Target::BeamDamping(element) => Some(&mut self.beams.get_mut(element)?.factors[2]),
+            Target::BeamSpin(element) => Some(&mut self.beams.get_mut(element)?.spin),
             Target::ShellStiffness(element) => Some(&mut self.shells.get_mut(element)?.factors[0]),
             Target::ShellMass(element) => Some(&mut self.shells.get_mut(element)?.factors[1]),
             Target::ShellDamping(element) => Some(&mut self.shells.get_mut(element)?.factors[2]),
             Target::ShellThickness(element) => Some(&mut self.shells.get_mut(element)?.thickness),
             Target::MassDamping => Some(&mut self.mass_damping),
             Target::FrameRate => Some(&mut self.turning_frame.as_mut()?.rate),
+            Target::FrameAdvance => Some(&mut self.turning_frame.as_mut()?.advance),
         }
     }
 }

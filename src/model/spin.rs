@@ -60,8 +60,8 @@ impl Spin {
     /// Checks that it leaves this inertia about the node as it is, and that what is `factor` times
     /// that has a momentum which is a number.
     pub(super) fn require_fits(&self, inertia: &Matrix6<f64>, factor: f64) -> Result<()> {
-        let mut shares = asymmetry(inertia, &self.axis).into_iter();
-        if let Some(off) = shares.find(|share| share.is_nan() || *share > SYMMETRIC) {
+        let off = asymmetry(&central(inertia, &self.axis), &self.axis, inertia);
+        if !is_symmetric(off) {
             let message = format!(
                 "inertia: expected one that is symmetric about the axis through its centre of \
                  mass along ({}, {}, {}) that it spins about, got one of which {off:.3e} is not",
@@ -86,26 +86,36 @@ fn point_of_axis(inertia: &Matrix6<f64>, axis: &Vector3<f64>) -> Vector3<f64> {
     }
 }
 
-/// What share of masses, moments and couplings a turn about the axis through the centre changes.
-fn asymmetry(inertia: &Matrix6<f64>, axis: &Vector3<f64>) -> [f64; 3] {
+/// Inertia about that point.
+fn central(inertia: &Matrix6<f64>, axis: &Vector3<f64>) -> Matrix6<f64> {
     let centre = Motion::new(Matrix3::identity(), point_of_axis(inertia, axis));
     let carry = centre.adjoint();
-    let central = carry.tr_mul(&(inertia * carry));
+    carry.tr_mul(&(inertia * carry))
+}
+
+/// Whether so large a share counts as none; not if it is not a number.
+pub(super) fn is_symmetric(share: f64) -> bool {
+    share <= SYMMETRIC
+}
+
+/// The largest share that a turn about an axis through the origin changes of the parts of a matrix
+/// that acts on twists or strains, which has rounding errors as those of `rounded`.
+pub(super) fn asymmetry(matrix: &Matrix6<f64>, axis: &Vector3<f64>, rounded: &Matrix6<f64>) -> f64 {
     let turn = tilde(&DualVector::of_turn(axis, &Vector3::zeros()).to_twist());
-    let change = central * turn + turn.tr_mul(&central);
+    let change = matrix * turn + turn.tr_mul(matrix);
     let size = |m: &Matrix6<f64>, i, j| m.fixed_view::<3, 3>(i, j).amax();
-    let (mass, moment) = (size(&central, 0, 0), size(&central, 3, 3));
-    let share = |(i, j): (usize, usize), of: f64| {
+    let share = |(i, j): (usize, usize)| {
         let changed = size(&change, i, j);
-        // What is about the node may be much larger than what is about the centre.
-        match changed <= ROUNDING * size(inertia, i, j) {
+        // What is about a node may be much larger than what is about the centre.
+        match changed <= ROUNDING * size(rounded, i, j) {
             true => 0.0,
-            false => changed / of,
+            false => changed / (size(matrix, i, i) * size(matrix, j, j)).sqrt(),
         }
     };
-    [
-        share((0, 0), mass),
-        share((3, 3), moment),
-        share((3, 0), (mass * moment).sqrt()),
-    ]
+    let shares = [(0, 0), (0, 3), (3, 0), (3, 3)].map(share);
+    // The largest of numbers would leave out what is none.
+    match shares.iter().any(|share| share.is_nan()) {
+        true => f64::NAN,
+        false => shares.into_iter().fold(0.0, f64::max),
+    }
 }

@@ -60,6 +60,9 @@ pub enum Target {
     BeamMass(usize),
     /// Factor of the sections' damping along a beam element.
     BeamDamping(usize),
+    /// Angle in a unit of time that the material of a beam element spins, see
+    /// [`Model::set_beam_spin`](super::Model::set_beam_spin).
+    BeamSpin(usize),
     /// Factor of the stiffness of a shell element.
     ShellStiffness(usize),
     /// Factor of the mass of a shell element.
@@ -75,6 +78,9 @@ pub enum Target {
     /// Angle in a unit of time of the frame that everything is described in, see
     /// [`Model::set_turning_frame`](super::Model::set_turning_frame).
     FrameRate,
+    /// Speed of that frame along its axis, see
+    /// [`Model::set_frame_advance`](super::Model::set_frame_advance).
+    FrameAdvance,
 }
 
 impl Target {
@@ -84,6 +90,7 @@ impl Target {
             Target::Signal(SignalPlace::Prescribed(_) | SignalPlace::Relation(_), _)
             | Target::Rest(_)
             | Target::FrameRate
+            | Target::FrameAdvance
             | Target::ShellThickness(_) => false,
             Target::Signal(_, part) => *part != SignalPart::Phase,
             _ => true,
@@ -99,6 +106,7 @@ impl Target {
                 | Target::BeamStiffness(_)
                 | Target::BeamMass(_)
                 | Target::BeamDamping(_)
+                | Target::BeamSpin(_)
                 | Target::ShellStiffness(_)
                 | Target::ShellMass(_)
                 | Target::ShellDamping(_)
@@ -138,7 +146,8 @@ pub(super) fn no_such(target: Target) -> Error {
         ),
         Target::BeamStiffness(element)
         | Target::BeamMass(element)
-        | Target::BeamDamping(element) => {
+        | Target::BeamDamping(element)
+        | Target::BeamSpin(element) => {
             ("a beam element that is there", format!("element {element}"))
         }
         Target::ShellStiffness(element)
@@ -149,7 +158,7 @@ pub(super) fn no_such(target: Target) -> Error {
             format!("element {element}"),
         ),
         Target::MassDamping => ("damping by mass", "none".into()),
-        Target::FrameRate => (
+        Target::FrameRate | Target::FrameAdvance => (
             "a model that is described in a turning frame",
             "one without such a frame".into(),
         ),

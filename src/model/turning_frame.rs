@@ -1,8 +1,9 @@
-//! A frame that turns steadily, in which a model and its motions are described.
+//! A frame that turns steadily, and may advance along its axis, in which a model and its motions
+//! are described.
 
 use super::Model;
 use super::validation::direction;
-use crate::error::{Result, require_finite};
+use crate::error::{Error, ErrorKind, Result, require_finite};
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
@@ -16,6 +17,9 @@ pub struct TurningFrame {
     pub(super) rate: f64,
     /// A point of the axis.
     point: Vector3<f64>,
+    /// Speed along the axis.
+    #[serde(default)]
+    pub(super) advance: f64,
 }
 
 impl TurningFrame {
@@ -32,6 +36,11 @@ impl TurningFrame {
     /// A point of the axis.
     pub fn point(&self) -> Vector3<f64> {
         self.point
+    }
+
+    /// Speed along the axis.
+    pub fn advance(&self) -> f64 {
+        self.advance
     }
 
     /// The angular velocity.
@@ -68,9 +77,27 @@ impl Model {
             axis,
             rate,
             point: *point,
+            advance: 0.0,
         };
         frame.require_finite()?;
         self.turning_frame = Some(frame);
+        Ok(())
+    }
+
+    /// Lets the frame that everything is described in advance along its axis at a constant `speed`,
+    /// too. What repeats itself but for a translation in each period, or a screw motion, is
+    /// periodic there.
+    ///
+    /// # Errors
+    /// If there is no such frame, or `speed` is not finite.
+    pub fn set_frame_advance(&mut self, speed: f64) -> Result<()> {
+        require_finite("speed", &[speed])?;
+        let frame = self.turning_frame.as_mut().ok_or_else(|| {
+            let message = "model: expected one that is described in a turning frame, which may \
+                           have the rate zero";
+            Error::new(ErrorKind::NotAvailable, message)
+        })?;
+        frame.advance = speed;
         Ok(())
     }
 

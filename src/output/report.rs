@@ -106,6 +106,14 @@ impl Solution {
                 w.x, w.y, w.z
             )?;
         }
+        let frame = self.model().turning_frame();
+        if let Some(frame) = frame.filter(|frame| frame.advance() != 0.0) {
+            writeln!(
+                text,
+                "  that advances by {} along its axis",
+                frame.advance()
+            )?;
+        }
         if !solve.report.explanation.is_empty() {
             writeln!(text, "  {}", solve.report.explanation)?;
         }

@@ -1,4 +1,5 @@
-//! A frame that turns steadily, in which motions are described and the ground is at rest.
+//! A frame that turns steadily, and may advance along its axis, in which motions are described and
+//! the ground is at rest.
 //!
 //! With `W` the twist of the frame and `M` a motion in it, the material velocity is `V = v + U`,
 //! `U = Ad(M⁻¹) W`, where `v` is that of `M`. So `V̇ = v̇ + Ũ v`, and a material increment `Δu` of
@@ -66,12 +67,19 @@ pub(super) struct Turning {
     angular: Vector3<f64>,
     /// A point of its axis.
     point: Vector3<f64>,
+    /// Signal of the part of its velocity along the axis that is there, as that grows with the
+    /// loads, and this velocity.
+    advance: (usize, Vector3<f64>),
 }
 
 impl Turning {
-    /// Twist of a frame at the origin that turns with `angular` about the axis.
-    fn twist(&self, angular: &Vector3<f64>) -> Vector6<f64> {
-        DualVector::of_turn(angular, &self.point).to_twist()
+    /// Twist of a frame at the origin that turns with `angular` about the axis, and moves with a
+    /// part of its velocity along that.
+    fn twist(&self, angular: &Vector3<f64>, part: f64) -> Vector6<f64> {
+        let mut twist = DualVector::of_turn(angular, &self.point).to_twist();
+        let mut linear = twist.fixed_rows_mut::<3>(0);
+        linear += self.advance.1 * part;
+        twist
     }
 }
 
@@ -96,16 +104,22 @@ impl System {
             }
         };
         let axis = frame.map_or_else(|| angular.normalize(), TurningFrame::axis);
-        self.require_gravity_along(&axis)?;
+        if angular != Vector3::zeros() {
+            self.require_gravity_along(&axis)?;
+        }
         let mut signals = [0; 3];
         for (number, component) in signals.iter_mut().zip(angular.iter()) {
             let place = "angular velocity".into();
             *number = self.add_signal(BoundSignal::constant(*component), 0.0, 0.0, place)?;
         }
+        let along = axis * frame.map_or(0.0, TurningFrame::advance);
+        let place = "advance of the frame".into();
+        let part = self.add_signal(BoundSignal::constant(1.0), 0.0, 0.0, place)?;
         self.turning = Some(Turning {
             signals,
             angular,
             point,
+            advance: (part, along),
         });
         Ok(())
     }
@@ -138,7 +152,7 @@ impl System {
     pub(super) fn frame_twist(&self, signals: &[f64]) -> Option<Vector6<f64>> {
         let turning = self.turning.as_ref()?;
         let angular = turning.signals.map(|number| signals[number]);
-        Some(turning.twist(&Vector3::from(angular)))
+        Some(turning.twist(&Vector3::from(angular), signals[turning.advance.0]))
     }
 
     /// Angular velocity of the frame that motions are described in, if it turns.
@@ -175,7 +189,7 @@ impl System {
     /// Twist of the frame, if it turns, under all loads.
     fn full_frame_twist(&self) -> Option<Vector6<f64>> {
         let turning = self.turning.as_ref()?;
-        Some(turning.twist(&turning.angular))
+        Some(turning.twist(&turning.angular, 1.0))
     }
 }
 

@@ -215,6 +215,11 @@ static pdn_status beam_section(const int32_t *v)
     return pdn_model_set_beam_section(model, v[0], v[1], &section);
 }
 
+static pdn_status beam_spin(const int32_t *v)
+{
+    return pdn_model_set_beam_spin(model, v[0], v[1], 0);
+}
+
 static pdn_status shell_section(const int32_t *v)
 {
     return pdn_model_set_shell_section(model, v[0], v[1], &plate);

@@ -76,6 +76,65 @@ static void a_top_precesses_steadily(void)
     pdn_model_free(model);
 }
 
+/* A shaft clamped at one end, of one element, whose sections have the other bending stiffness about
+ * axis 3. */
+static pdn_model *shaft(double other)
+{
+    const double start[3] = {0}, end[3] = {1, 0, 0}, up[3] = {0, 0, 1};
+    pdn_section section;
+    pdn_beam ids;
+    pdn_model *model;
+    int32_t held;
+    CHECK_STATUS(pdn_model_new(&model), PDN_OK);
+    PDN_INIT(pdn_section, &section);
+    for (int i = 0; i < 6; ++i) {
+        section.stiffness[7 * i] = i < 3 ? 1e4 : 100;
+        section.damping[7 * i] = i < 3 ? 10 : 0.1;
+        section.mass[7 * i] = i < 3 ? 2 : 0;
+    }
+    section.stiffness[35] = other;
+    CHECK_STATUS(pdn_model_add_straight_beam(model, start, end, up, &section, 1, 4, &ids), PDN_OK);
+    CHECK_STATUS(
+        pdn_model_add_rigid_joint(model, PDN_GROUND, ids.first, start, &held), PDN_OK);
+    return model;
+}
+
+/* Damping of 1e-3 s that rotates, and no other, makes a shaft unstable that spins faster than its
+ * first frequency: it is at rest, spins slower, and faster. The rate is a parameter. */
+static void rotating_damping_limits_the_speed(void)
+{
+    const double parts[3] = {0, 0.9, 1.1};
+    double first = 0, rate;
+    for (int i = 0; i < 3; ++i) {
+        const double wanted = parts[i] * first;
+        pdn_model *model = shaft(100);
+        pdn_modes_options options;
+        pdn_modes *modes;
+        pdn_mode mode;
+        int32_t speed;
+        CHECK_STATUS(pdn_model_set_beam_spin(model, PDN_FIRST_BEAM_ELEMENT, 1, 3), PDN_OK);
+        CHECK_STATUS(pdn_model_add_parameter(model, "speed", wanted, 1, &speed), PDN_OK);
+        CHECK_STATUS(pdn_model_move_number(model, speed, PDN_NUMBER_BEAM_SPIN,
+                                           PDN_FIRST_BEAM_ELEMENT, 0, 1),
+                     PDN_OK);
+        CHECK_STATUS(pdn_model_beam_spin(model, PDN_FIRST_BEAM_ELEMENT, &rate), PDN_OK);
+        CHECK(rate == wanted);
+        PDN_INIT(pdn_modes_options, &options);
+        options.count = 2;
+        CHECK_STATUS(pdn_solve_modes(model, &options, &modes), PDN_OK);
+        double growth = -1;
+        for (int k = 0; k < 2; ++k) {
+            PDN_INIT(pdn_mode, &mode);
+            CHECK_STATUS(pdn_modes_get(modes, k, &mode), PDN_OK);
+            growth = fmax(growth, mode.eigenvalue_real);
+        }
+        CHECK((growth > 0) == (i == 2));
+        first = hypot(mode.eigenvalue_real, mode.eigenvalue_imaginary);
+        pdn_modes_free(modes);
+        pdn_model_free(model);
+    }
+}
+
 static void bad_spins_are_refused(void)
 {
     const double axis[3] = {0}, askew[3] = {0, 1, 0};
@@ -106,12 +165,40 @@ static void bad_spins_are_refused(void)
             "inertia: expected one that spins");
 #undef CALL
     pdn_model_free(model);
+    in.model = NULL;
+}
+
+static void bad_spins_of_beams_are_refused(void)
+{
+    pdn_model *beam = shaft(100), *flat = shaft(101);
+    int32_t inertia, hinge;
+    in.model = top(&inertia, &hinge);
+    in.rate = 2;
+#define CALL pdn_model_set_beam_spin(beam, PDN_FIRST_BEAM_ELEMENT, 1, in.rate)
+    REFUSED(pdn_model_set_beam_spin(NULL, PDN_FIRST_BEAM_ELEMENT, 1, 1), PDN_ERR_NULL, "model: ");
+    REFUSED(pdn_model_set_beam_spin(beam, 0, 1, 1), PDN_ERR_ID, "first_element: ");
+    REFUSED(pdn_model_set_beam_spin(beam, PDN_FIRST_BEAM_ELEMENT, 0, 1), PDN_ERR_SIZE,
+            "elements: ");
+    REFUSED(pdn_model_set_beam_spin(flat, PDN_FIRST_BEAM_ELEMENT, 1, 1), PDN_ERR_VALUE,
+            "beam element 0: expected sections that are symmetric about axis 1");
+    REFUSES_NOT_FINITE(in.rate, CALL, "rate");
+#undef CALL
+#define CALL pdn_model_beam_spin
+    REFUSED(CALL(NULL, PDN_FIRST_BEAM_ELEMENT, &out.rate), PDN_ERR_NULL, "model: ");
+    REFUSED(CALL(beam, PDN_FIRST_BEAM_ELEMENT, NULL), PDN_ERR_NULL, "rate: ");
+    REFUSED(CALL(beam, PDN_FIRST_BEAM_ELEMENT + 1, &out.rate), PDN_ERR_ID, "element: ");
+#undef CALL
+    pdn_model_free(flat);
+    pdn_model_free(beam);
+    pdn_model_free(in.model);
 }
 
 int main(void)
 {
     a_top_precesses_steadily();
+    rotating_damping_limits_the_speed();
     bad_spins_are_refused();
+    bad_spins_of_beams_are_refused();
     printf("%d calls refused\n", refusals);
     return 0;
 }

@@ -75,6 +75,7 @@ static const struct {
     {"rigid edge", rigid_edge, 2, {NODE(0), PDN_SHELL_EDGE_END_XI}},
     {"prestress", prestress, 2, {SHELL_ELEMENT(0), 1}},
     {"beam section", beam_section, 2, {BEAM_ELEMENT(0), 1}},
+    {"beam spin", beam_spin, 2, {BEAM_ELEMENT(0), 1}},
     {"shell section", shell_section, 2, {SHELL_ELEMENT(0), 1}},
     {"frame of a load", set_load_frame, 2, {LOAD(0), PDN_FRAME_SPACE}},
     {"signal set", set_signal, 2, {LOAD(0), PDN_FORCE_1}},

@@ -113,6 +113,50 @@ static void a_pendulum_finds_its_net_rotation(int by_momentum)
     pdn_model_free(model);
 }
 
+/* A mass that a constant force pushes and damping by its momentum holds back drifts at the speed
+ * where both are the same. */
+static void a_mass_finds_its_drift(void)
+{
+    const double along[3] = {0, 2, 0}, origin[3] = {0}, none[9] = {0}, positions[9] = {0};
+    const double rotations[27] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1,
+                                  0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+    pdn_conditions *conditions;
+    pdn_periodic_options options;
+    pdn_solution *solution;
+    pdn_signal push;
+    pdn_model *model;
+    int32_t mass, slide, speed;
+    double found;
+    CHECK_STATUS(pdn_model_new(&model), PDN_OK);
+    CHECK_STATUS(pdn_model_add_rigid_body(model, 2, origin, none, &mass), PDN_OK);
+    CHECK_STATUS(pdn_model_add_prismatic(model, PDN_GROUND, mass, origin, along, &slide), PDN_OK);
+    PDN_INIT(pdn_signal, &push);
+    push.mean = 3;
+    CHECK_STATUS(pdn_model_add_load(model, mass, PDN_FRAME_SPACE, PDN_FORCE_2, &push, NULL),
+                 PDN_OK);
+    CHECK_STATUS(pdn_model_set_mass_damping(model, 0.5), PDN_OK);
+    CHECK_STATUS(pdn_model_set_turning_frame(model, along, 0, NULL), PDN_OK);
+    CHECK_STATUS(pdn_model_set_frame_advance(model, 0.25), PDN_OK);
+    CHECK_STATUS(pdn_model_frame_advance(model, &found), PDN_OK);
+    CHECK(found == 0.25);
+    CHECK_STATUS(pdn_model_add_parameter(model, "drift", 0.1, 1, &speed), PDN_OK);
+    CHECK_STATUS(pdn_model_move_number(model, speed, PDN_NUMBER_FRAME_ADVANCE, 0, 0, 1), PDN_OK);
+    CHECK_STATUS(pdn_conditions_new(&conditions), PDN_OK);
+    CHECK_STATUS(pdn_conditions_release(conditions, speed), PDN_OK);
+    CHECK_STATUS(pdn_conditions_add_translation_phase(conditions, along), PDN_OK);
+    PDN_INIT(pdn_periodic_options, &options);
+    options.grid_points = 3;
+    options.guess_positions = positions;
+    options.guess_rotations = rotations;
+    CHECK_STATUS(pdn_solve_conditioned(model, 1, conditions, &options, &solution), PDN_OK);
+    CHECK(pdn_solution_outcome(solution) == PDN_CONVERGED);
+    CHECK_STATUS(pdn_solution_parameter(solution, speed, &found), PDN_OK);
+    CHECK_NEAR(found, 3, 1e-12);
+    pdn_solution_free(solution);
+    pdn_conditions_free(conditions);
+    pdn_model_free(model);
+}
+
 static void begin(void)
 {
     int32_t bob, level, parameters[3];
@@ -140,7 +184,16 @@ static void bad_frames_are_refused(void)
     REFUSED(CALL(in.model, out.axis, &out.rate, NULL), PDN_ERR_NULL, "point: ");
 #undef CALL
     pdn_model *model;
+#define CALL pdn_model_set_frame_advance(in.model, in.rate)
+    REFUSED(pdn_model_set_frame_advance(NULL, 1), PDN_ERR_NULL, "model: ");
+    REFUSES_NOT_FINITE(in.rate, CALL, "speed");
+#undef CALL
+    REFUSED(pdn_model_frame_advance(NULL, &out.rate), PDN_ERR_NULL, "model: ");
+    REFUSED(pdn_model_frame_advance(in.model, NULL), PDN_ERR_NULL, "speed: ");
     CHECK_STATUS(pdn_model_new(&model), PDN_OK);
+    REFUSED(pdn_model_set_frame_advance(model, 1), PDN_ERR_NOT_AVAILABLE, "model: expected one");
+    REFUSED(pdn_model_frame_advance(model, &out.rate), PDN_ERR_NOT_AVAILABLE,
+            "model: it is described in the inertial frame");
     REFUSED(pdn_model_turning_frame(model, out.axis, &out.rate, out.point), PDN_ERR_NOT_AVAILABLE,
             "model: it is described in the inertial frame");
     pdn_model_free(model);
@@ -188,6 +241,7 @@ int main(void)
 {
     a_pendulum_finds_its_net_rotation(0);
     a_pendulum_finds_its_net_rotation(1);
+    a_mass_finds_its_drift();
     begin();
     bad_frames_are_refused();
     bad_phases_are_refused();

@@ -301,6 +301,8 @@ static void everything()
     m.set_turning_frame({0, 0, 2}, 1.5, axis_1);
     const pdn::ModelTurningFrame frame = m.turning_frame();
     CHECK(frame.rate == 1.5 && frame.axis[2] == 1 && frame.point[0] == 1);
+    m.set_frame_advance(0.5);
+    CHECK(m.frame_advance() == 0.5);
     pdn::Model rotor;
     for (const double x : {0.0, 1.0, 2.0, 3.0})
         rotor.add_node({x, 0, 0});

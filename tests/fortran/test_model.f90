@@ -332,6 +332,9 @@ contains
         point = 1
         call m%turning_frame(axis, number, point)
         call check(number == 1.5_dp .and. axis(3) == 1 .and. maxval(abs(point)) == 0, 'frame')
+        call m%set_frame_advance(0.5_dp)
+        call m%frame_advance(number)
+        call check(number == 0.5_dp, 'advance')
         call rotor%new()
         do i = 1, 4
             call rotor%add_node(i*axis_1)

@@ -246,6 +246,10 @@ contains
         call model%beam_element_node_count(beam%first_element, count)
         call model%beam_element_node(beam%first_element, 2, node)
         call check(count == 3 .and. node == beam%first + 2, 'nodes of an element')
+        call model%set_beam_spin(beam%first_element, 2, 0.0_dp)
+        twist = 1
+        call model%beam_spin(beam%first_element, twist)
+        call check(twist == 0, 'spin of an element')
         call model%beam_section(beam%first_element, 0.0_dp, section, twist)
         call near(section%stiffness(1), 53e6_dp, 1e-6_dp, 'stiffness')
         call near(twist, 0.8_dp/8, 1e-15_dp, 'twist')

@@ -95,7 +95,11 @@ impl Element for Beam {
         Ok(())
     }
 
+    /// None if its material spins with damping, which then acts at rest, too.
     fn potential(&self, instant: &Instant, scratch: &mut Contribution) -> Result<Option<f64>> {
+        if self.damped && self.spin != 0.0 {
+            return Ok(None);
+        }
         let scratch = &mut scratch.scratch.beam;
         self.find_strains(instant.nodes, scratch)?;
         scratch.rates.fill(Vector6::zeros());
@@ -169,11 +173,13 @@ fn twists_of(states: &[NodeState]) -> impl Fn(usize) -> DualVector {
     |a| DualVector::from_twist(&states[a].twist)
 }
 
-/// Whether strain rates matter, and whether they vary with the motion.
+/// Whether strain rates matter, whether they vary with the motion, and whether the stiffness is
+/// symmetric all the same.
 #[derive(Debug, Clone, Copy)]
 struct Damping {
     damped: bool,
     rates_vary: bool,
+    symmetric: bool,
 }
 
 impl Beam {
@@ -230,6 +236,7 @@ impl Beam {
         Damping {
             damped: self.damped,
             rates_vary: self.damped && moves,
+            symmetric: !self.damped || !moves && self.spin == 0.0,
         }
     }
 
@@ -361,7 +368,11 @@ fn add_material_stiffness(
     rows: &[NodeTerms],
     laws: &[(Matrix6<f64>, Matrix6<f64>)],
     columns: &[NodeTerms],
-    Damping { damped, rates_vary }: Damping,
+    Damping {
+        damped,
+        rates_vary,
+        symmetric,
+    }: Damping,
     out: &mut Contribution,
 ) {
     if out.with_resultants_apart {
@@ -387,12 +398,12 @@ fn add_material_stiffness(
         }
         let (by_motion, by_velocity) = (by_motion.transpose(), by_velocity.transpose());
         for (a, row) in rows.iter().enumerate() {
-            // Without rates the sum over all stations is symmetric.
-            if rates_vary || a <= b {
+            // It is the sum over all stations that is symmetric.
+            if !symmetric || a <= b {
                 let mut k = Matrix6::zeros();
                 row.strain.add_product_to(&by_motion, &mut k);
                 out.add_stiffness(a, b, &k.transpose());
-                if !rates_vary && a < b {
+                if symmetric && a < b {
                     out.add_stiffness(b, a, &k);
                 }
             }

@@ -17,6 +17,7 @@
 //! accurate than the first, and at least half as stiff. Damping is that of `𝒟` under the strains of
 //! each. A uniform section gives each point its own law again. See docs/theory.md, section 6.6.
 
+use super::circulatory;
 use crate::elements::section::Section;
 use crate::elements::shape::shape_functions;
 use crate::elements::{OtherStation, StressLaw};
@@ -129,6 +130,13 @@ fn not_definite() -> Error {
 }
 
 impl CoupledLaw {
+    /// Adds what damping does where the material spins at this rate.
+    pub fn add_circulatory(&mut self, rate: f64) {
+        for (stiffness, damping) in &mut self.blocks {
+            *stiffness += circulatory(damping, rate);
+        }
+    }
+
     /// What gives resultants at point `i`, for all points.
     pub fn row(&self, i: usize) -> &[(Matrix6<f64>, Matrix6<f64>)] {
         &self.blocks[i * self.points..][..self.points]

@@ -16,7 +16,7 @@ use super::NodeState;
 use super::line_station::relative_to_first;
 use super::section::{Section, SectionLine};
 use super::shape::{gauss_legendre, lobatto_points, shape_functions};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, require_finite};
 use crate::motion::{DualVector, Motion, turned as turn};
 use law::{CoupledLaw, LawIntegrals};
 use nalgebra::{Matrix6, Vector6};
@@ -35,6 +35,8 @@ pub struct Beam {
     even: Option<f64>,
     /// Of all Gauss points, where the section changes; else each has that of its own section.
     law: Option<CoupledLaw>,
+    /// Rate at which its material spins about axis 1 of the sections relative to the nodes.
+    spin: f64,
 }
 
 /// Lengths that are equal to this, relatively, are: rounding.
@@ -70,6 +72,7 @@ impl Beam {
             stations: Vec::new(),
             even: None,
             law: None,
+            spin: 0.0,
         };
         // One point fewer than nodes: no shear locking, no spurious mode.
         beam.stations = gauss_legendre(count - 1)
@@ -85,6 +88,41 @@ impl Beam {
             beam.law = Some(beam.coupled_law()?);
         }
         Ok(beam)
+    }
+
+    /// Lets the material spin at this rate about axis 1 of the sections, relative to the nodes. It
+    /// must be straight and symmetric about the axis.
+    pub fn spinning(mut self, rate: f64) -> Self {
+        self.spin = rate;
+        for station in &mut self.stations {
+            let section = &mut station.section;
+            section.stiffness += circulatory(&section.damping, rate);
+        }
+        if let Some(law) = &mut self.law {
+            law.add_circulatory(rate);
+        }
+        self
+    }
+
+    /// Checks what damping adds to its stiffness where its material spins.
+    ///
+    /// # Errors
+    /// If that is too large to be a number.
+    pub fn require_finite(&self) -> Result<()> {
+        self.stations.iter().try_for_each(|station| {
+            let stiffness = station.section.stiffness;
+            require_finite("damping times spin", stiffness.as_slice())
+        })
+    }
+
+    /// How far, relatively, the reference shape is from one that is straight, with axis 1 along it.
+    pub fn curvedness(&self) -> f64 {
+        let across = |station: &Station| {
+            let e = &station.reference;
+            let strain = e[1].abs().max(e[2].abs()) / station.stretch;
+            strain.max(e[4].abs()).max(e[5].abs())
+        };
+        self.stations.iter().map(across).fold(0.0, f64::max)
     }
 
     /// The law where the section changes: integrated from station to station of the section table.
@@ -216,4 +254,15 @@ impl Beam {
             }
         }
     }
+}
+
+/// Stiffness `−s 𝒟 ẽ`, `e` along axis 1: material that spins at the rate `s` sees strains `ε`
+/// change by `ε̇ − s ẽ ε`.
+fn circulatory(damping: &Matrix6<f64>, rate: f64) -> Matrix6<f64> {
+    let mut turn = Matrix6::zeros();
+    for i in [0, 3] {
+        turn[(i + 2, i + 1)] = rate;
+        turn[(i + 1, i + 2)] = -rate;
+    }
+    -damping * turn
 }

@@ -7,7 +7,7 @@ use crate::elements::line_station::{LineStation, relative_to_first};
 use crate::elements::shape::{gauss_legendre, shape_functions};
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::motion::{DualMatrix, Motion};
-use nalgebra::{DMatrix, Matrix3, Matrix6, Vector3};
+use nalgebra::{DMatrix, Matrix3, Matrix6, Vector3, Vector6};
 
 /// Motions relative to the first.
 fn relative(motions: &[Motion]) -> Vec<DualMatrix> {
@@ -191,10 +191,11 @@ impl Beam {
             }
         }
         require_finite("inertia of the beam", mass.as_slice())?;
-        Ok(Inertia::consistent(
-            self.nodes.clone(),
-            mass,
-            &self.reference,
-        ))
+        let inertia = Inertia::consistent(self.nodes.clone(), mass, &self.reference);
+        let spin = Vector6::new(0.0, 0.0, 0.0, self.spin, 0.0, 0.0);
+        Ok(match self.spin == 0.0 {
+            true => inertia,
+            false => inertia.spinning(&vec![spin; count]),
+        })
     }
 }
