@@ -198,12 +198,7 @@ impl<P: Preconditioned> Run<'_, P> {
             options,
             ..
         } = self;
-        let GmresWorkspace {
-            basis,
-            b,
-            rest,
-            found: of_operator,
-        } = &mut *self.workspace;
+        let GmresWorkspace { basis, b, rest, .. } = &mut *self.workspace;
         let (size, found) = (x.len(), vectors.norm(x));
         let products = (options.restart).min(options.iteration_limit - self.end.iterations);
         vectors.sums(&mut basis[..size], 1, |first, v, _| {
@@ -269,7 +264,7 @@ impl<P: Preconditioned> Run<'_, P> {
         } else {
             1.0
         };
-        *of_operator = Some((least, vectors.ends, vectors.weights));
+        self.workspace.found = Some((least, vectors.ends, vectors.weights));
         Some(left)
     }
 }

@@ -74,7 +74,7 @@ mod tests {
     use super::super::long_vectors::Parts;
     use super::*;
 
-    /// Near identity but for 20 directions, in which it is from a thousandth to 20, with a rotation.
+    /// Near identity, with a rotation, but for 20 directions in which it is from 0.001 to 20.
     struct Operator<'a> {
         changed: f64,
         learnt: Option<&'a Learnt>,

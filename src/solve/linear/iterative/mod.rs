@@ -3,12 +3,11 @@
 //! docs/theory.md, section 8.3.
 //!
 //! * `gmres`: the iteration itself, on any operator, in `long_vectors` and `least_squares`.
-//!   `operator` is that of the equations, between borders, too; `projected` iterates on oversampled
-//!   equations.
+//!   `iteration` is that on the equations, `operator` theirs, between borders, too, `learnt` what
+//!   long solves leave to others; `projected` iterates on oversampled equations.
 //! * `body_circulant`: bodies averaged over time, joints as they are. In `constraints` which of
 //!   these may be averaged too, in `mean` the averages, in `projection` those of like blades, in
-//!   `resultants` those of stress resultants,
-//!   in `interface` the system of the joints that turn.
+//!   `resultants` those of stress resultants, in `interface` the system of the joints that turn.
 //! * `transposed`: the transposed equations, by the transposes of these.
 //! * `time_local`: equilibrium at each grid point by itself.
 //! * Both factor small sparse matrices with blocks where `layout` says, by `block_lu`, several side
@@ -29,6 +28,7 @@ mod fronts;
 mod gmres;
 mod harmonic_band;
 mod interface;
+mod iteration;
 mod lane_blocks;
 mod lanes;
 mod layout;
@@ -71,7 +71,7 @@ pub(crate) use gmres::{GmresOptions, GmresWorkspace, Preconditioned, gmres};
 use interface::{Bounds, LEFT_OUT, likely_work};
 use learnt::Learnt;
 pub(crate) use long_vectors::Parts;
-use operator::{Eliminated, Operator, is_solved};
+use operator::Eliminated;
 pub(crate) use outer::{Outer, SHARPEST, solve_around};
 pub(crate) use projected::Projected;
 pub use record::{IterativeRecord, Preconditioner};
@@ -87,20 +87,12 @@ pub(super) const LARGEST_ITERATION_LIMIT: usize = 400;
 /// Vectors that are kept at least, and more while they take no more bytes than this.
 const RESTART: usize = 60;
 const KEPT: usize = 500_000_000;
-/// A solve that takes so many products more than the first with its preconditioner asks for a new
-/// one.
-const MANY: usize = 10;
 /// Part of the work that is left which a preconditioner may take, if there are others.
 const SHARE: f64 = 0.25;
 /// Time-local preconditioning is cheap. It is kept where it takes no more products than take as
 /// long as the system of the joints, and these, and no more than those.
 const FEW: usize = 12;
 const MOST_LOCALLY: usize = 60;
-/// Products of a solve from which those after it may learn, and how many times as many as theirs it
-/// is to have taken, or it is forgotten.
-const LONG: usize = 25;
-const LITTLE: usize = 2;
-
 /// Growth of a preconditioner that means a Jacobian which may be singular.
 const SUSPECT: f64 = 1e13;
 /// The same for each time that a beam is stiffer in tension than in bending.
@@ -264,23 +256,6 @@ impl Iterative {
             false => [&[local(few)], &thorough[..]].concat(),
         }
     }
-
-    /// Leaves out what has failed with this error: none is left where it failed before.
-    fn note_failure(&mut self, error: f64) {
-        if !self.is_old
-            && let Some(&failed) = self.candidates.first()
-        {
-            self.candidates.retain(|other| *other != failed);
-            let far = error > ROUGH;
-            self.fails_locally |= failed.0 == Preconditioner::TimeLocal && far;
-        }
-    }
-
-    fn count_bytes(&mut self, vectors: usize, size: usize) {
-        let factors = self.factors.as_ref().map_or(0, Factors::bytes);
-        let bytes = self.tangent.bytes() + factors + (vectors + 4) * size * size_of::<f64>();
-        self.record.bytes = self.record.bytes.max(bytes);
-    }
 }
 
 impl Iterative {
@@ -299,104 +274,6 @@ impl Iterative {
         (self.transposed, self.transposed_with) = (None, 0);
         self.eliminated = None;
         Ok(())
-    }
-
-    /// Solves the equations, or those between borders.
-    fn iterate(
-        &mut self,
-        (equations, borders): (&mut Collocation, Option<&Borders>),
-        rhs: &mut [f64],
-        accuracy: f64,
-        timings: &mut Timings,
-    ) -> Result<bool> {
-        let size = equations.size();
-        loop {
-            let began = Instant::now();
-            let Some(factors) = &mut self.factors else {
-                return Ok(false);
-            };
-            let resultants = match factors {
-                Factors::Body(_) => self.tangent.resultants(),
-                Factors::Local(_) => 0,
-            };
-            let (of_grid, scalars) = rhs.split_at(size);
-            let mut unknowns = Vec::with_capacity(rhs.len() + resultants);
-            unknowns.extend_from_slice(of_grid);
-            unknowns.resize(size + resultants, 0.0);
-            if !self.is_scaled {
-                factors.scale_resultants(&mut self.tangent, &unknowns, size);
-                self.is_scaled = true;
-                self.eliminated = None;
-                self.learnt = None;
-            }
-            unknowns.extend_from_slice(scalars);
-            self.learnt = self
-                .learnt
-                .take()
-                .filter(|learnt| learnt.is_of(unknowns.len()));
-            let learnt = self.learnt.as_ref().map_or(0, Learnt::products);
-            if let (Some(borders), None) = (borders, &self.eliminated) {
-                self.eliminated = Eliminated::new(borders, factors, size + resultants);
-            }
-            let borders = match (borders, &self.eliminated) {
-                (Some(_), None) => return Ok(false),
-                (Some(borders), Some(eliminated)) => Some((borders, eliminated)),
-                (None, _) => None,
-            };
-            let options = GmresOptions {
-                tolerance: accuracy,
-                leading: equations.layout().motions().end,
-                iteration_limit: self.limit,
-                essential: size,
-                parts: Parts::of(self.slenderness, accuracy),
-                restart: (KEPT / size_of_val(&unknowns[..]))
-                    .saturating_sub(learnt)
-                    .clamp(RESTART, self.limit.max(RESTART)),
-            };
-            let mut operator = Operator {
-                equations,
-                tangent: &mut self.tangent,
-                factors,
-                borders,
-                learnt: self.learnt.as_ref(),
-            };
-            let workers = equations.workers();
-            let end = gmres(
-                &mut operator,
-                &mut unknowns,
-                &options,
-                workers,
-                &mut self.workspace,
-            )?;
-            self.record.products.push(end.iterations);
-            let kept = learnt + end.iterations.min(options.restart);
-            self.count_bytes(kept, unknowns.len());
-            timings.substitution += began.elapsed();
-            equations.workers().pulse()?;
-            let solved = is_solved(&end, accuracy, equations);
-            let first = *self.first_products.get_or_insert(end.iterations);
-            if solved && learnt == 0 && end.iterations >= LONG {
-                self.learnt = self.workspace.learnt(unknowns.len());
-            } else if learnt > 0 && (!solved || LITTLE * end.iterations > learnt) {
-                self.learnt = None;
-            }
-            if !solved && learnt > 0 {
-                continue;
-            }
-            if solved {
-                let (of_grid, scalars) = rhs.split_at_mut(size);
-                of_grid.copy_from_slice(&unknowns[..size]);
-                scalars.copy_from_slice(&unknowns[size + resultants..]);
-                if self.is_old && end.iterations > first + MANY {
-                    self.prepare(equations, timings)?;
-                }
-                return Ok(rhs.iter().all(|x| x.is_finite()));
-            }
-            self.note_failure(end.error);
-            if self.candidates.is_empty() || !self.prepare(equations, timings)? {
-                return Ok(false);
-            }
-        }
     }
 }
 
