@@ -2,13 +2,13 @@
 
 use crate::collocation::{Collocation, GridState, Pattern, Tangent};
 use crate::error::Result;
+use crate::solve::linear::borders::Borders;
 use crate::solve::linear::dense::{largest, probe};
 use crate::solve::linear::diagnosis::{Singularity, diagnose};
-use crate::solve::linear::direct::{Columns, DirectSolver};
+use crate::solve::linear::direct::{Columns, DirectSolver, WithBorders};
 use crate::solve::linear::freedoms::FreedomSolver;
-use crate::solve::linear::front::Held;
 use crate::solve::linear::slender::Slender;
-use crate::solve::linear::solver::LinearSolver;
+use crate::solve::linear::solver::{LinearSolver, Side};
 use crate::solve::report::{Timings, timed};
 use crate::workers::Workers;
 use faer::MatMut;
@@ -29,8 +29,12 @@ pub(crate) struct Assembled {
     slender: Option<Box<Slender>>,
     /// Whether the present factors are those of the freedoms.
     by_freedoms: bool,
-    /// Whether factors may be those of what is held, where the Jacobian is singular.
-    holds: bool,
+    /// For the Jacobian between borders, and these.
+    bordered: Option<(WithBorders, Borders)>,
+    /// Whether the present factors are those of both.
+    with_borders: bool,
+    /// Whether factors of both are made even where there are those of freedoms.
+    insists: bool,
     /// Where the equations were linearised last, if their Jacobian was not formed.
     unformed: Option<GridState>,
     /// Scaled compliance of constraints in the values.
@@ -53,7 +57,9 @@ impl Assembled {
             freedoms,
             slender: Slender::new(equations).map(Box::new),
             by_freedoms: false,
-            holds: false,
+            bordered: None,
+            with_borders: false,
+            insists: false,
             unformed: None,
             regularisation: 0.0,
             workers: equations.workers().clone(),
@@ -77,8 +83,11 @@ impl Assembled {
         self.unformed = None;
         self.regularisation = equations.regularisation();
         let pattern = pattern_of(&self.pattern, equations);
-        self.values.resize(pattern.entries(), 0.0);
-        equations.jacobian(state, pattern, &mut self.tangent, &mut self.values)
+        let bordered = self.bordered.as_ref().map(|(factors, _)| factors.entries());
+        let entries = pattern.entries();
+        self.values.resize(bordered.unwrap_or(entries), 0.0);
+        let values = &mut self.values[..entries];
+        equations.jacobian(state, pattern, &mut self.tangent, values)
     }
 
     /// Assembles the Jacobian that was not formed, if it was not.
@@ -92,6 +101,7 @@ impl Assembled {
     /// Factors it as is cheapest. `false` if it is singular.
     pub(crate) fn factor(&mut self, equations: &mut Collocation) -> Result<bool> {
         if let Some(freedoms) = &mut self.freedoms {
+            self.with_borders = false;
             self.by_freedoms = freedoms.factor(equations, &self.values, &self.workers)?;
             if self.by_freedoms {
                 return Ok(true);
@@ -103,14 +113,13 @@ impl Assembled {
 
     /// Factors the whole of it, which was assembled. `false` if it is singular.
     pub(crate) fn factor_all(&mut self, equations: &Collocation) -> Result<bool> {
-        self.by_freedoms = false;
+        (self.by_freedoms, self.with_borders) = (false, false);
         let (pattern, workers) = (pattern_of(&self.pattern, equations), &self.workers);
         let solver = self.solver.get_or_insert_with(|| {
             let mut solver = DirectSolver::new(pattern);
             solver.set_workers(workers.clone());
             solver
         });
-        solver.set_holds(self.holds);
         solver.factor(&self.values)
     }
 
@@ -152,9 +161,8 @@ impl Assembled {
     ) -> Result<bool> {
         if let (Some(slender), Some(solver)) = (&mut self.slender, &self.solver) {
             let wanted = rhs.to_vec();
-            let held: Vec<Held> = solver.held().collect();
             let substitute = |x: &mut [f64]| solver.solve(x);
-            if slender.solve((equations, &held), rhs, accuracy, substitute) {
+            if slender.solve((equations, None), rhs, accuracy, substitute) {
                 return Ok(true);
             }
             rhs.copy_from_slice(&wanted);
@@ -166,8 +174,7 @@ impl Assembled {
             }
             rhs.copy_from_slice(&wanted);
             self.complete(equations)?;
-            // What is held is not expected.
-            if !self.factor_all(equations)? || !self.held().is_empty() {
+            if !self.factor_all(equations)? {
                 return Ok(false);
             }
         }
@@ -178,6 +185,20 @@ impl Assembled {
             }
             None => Ok(false),
         }
+    }
+
+    /// Makes room for the factors between borders, and forgets those that there are.
+    fn take_borders(&mut self, equations: &Collocation, borders: &Borders) {
+        let count = borders.count();
+        let factors = match self.bordered.take() {
+            Some((factors, _)) if factors.count() == count => factors,
+            _ => {
+                let pattern = pattern_of(&self.pattern, equations);
+                WithBorders::new(pattern, count, self.workers.clone())
+            }
+        };
+        self.bordered = Some((factors, Borders::default()));
+        (self.by_freedoms, self.with_borders) = (false, false);
     }
 }
 
@@ -227,6 +248,9 @@ impl LinearSolver for Assembled {
     }
 
     fn error_of(&self, accuracy: f64) -> f64 {
+        if let (Some((factors, _)), true) = (&self.bordered, self.with_borders) {
+            return factors.error().min(accuracy);
+        }
         match (&self.solver, self.by_freedoms) {
             (Some(solver), false) => solver.error().min(accuracy),
             _ => accuracy,
@@ -256,22 +280,92 @@ impl LinearSolver for Assembled {
         !self.by_freedoms
     }
 
-    fn may_hold(&self) -> bool {
-        !self.by_freedoms
+    fn factors_borders(&self) -> bool {
+        self.insists || self.freedoms.is_none()
     }
 
-    fn set_holds(&mut self, holds: bool) {
-        self.holds = holds;
+    fn insist_on_borders(&mut self, _: &Collocation) {
+        self.insists = true;
     }
 
-    fn held(&self) -> Vec<Held> {
-        match &self.solver {
-            Some(solver) if !self.by_freedoms => solver.held().collect(),
-            _ => Vec::new(),
+    fn linearise_bordered(
+        &mut self,
+        equations: &mut Collocation,
+        state: &GridState,
+        borders: &mut Borders,
+        timings: &mut Timings,
+    ) -> Result<Option<bool>> {
+        if !self.factors_borders() {
+            return Ok(None);
         }
+        timed(&mut timings.analysis, || {
+            self.take_borders(equations, borders)
+        });
+        timed(&mut timings.assembly, || {
+            if let Some(slender) = &mut self.slender {
+                slender.linearise(equations, state)?;
+            }
+            self.assemble(equations, state)?;
+            borders.complete(equations, state, &mut self.tangent);
+            Ok(())
+        })?;
+        let Some((factors, of_factors)) = &mut self.bordered else {
+            return Ok(None);
+        };
+        of_factors.clone_from(borders);
+        let values = &mut self.values;
+        self.with_borders = timed(&mut timings.factorisation, || {
+            factors.factor(values, borders)
+        })?;
+        Ok(Some(self.with_borders))
+    }
+
+    fn substitute_bordered(
+        &mut self,
+        rhs: &mut [f64],
+        side: Side,
+        timings: &mut Timings,
+    ) -> Option<bool> {
+        let (factors, _) = self.bordered.as_ref().filter(|_| self.with_borders)?;
+        Some(timed(&mut timings.substitution, || {
+            factors.solve(rhs, side)
+        }))
+    }
+
+    fn solve_bordered(
+        &mut self,
+        equations: &mut Collocation,
+        _: &Borders,
+        rhs: &mut [f64],
+        accuracy: f64,
+        timings: &mut Timings,
+    ) -> Result<Option<bool>> {
+        let Some((factors, borders)) = self.bordered.as_mut().filter(|_| self.with_borders) else {
+            return Ok(None);
+        };
+        timed(&mut timings.substitution, || {
+            if let Some(slender) = &mut self.slender {
+                let wanted = rhs.to_vec();
+                let substitute = |x: &mut [f64]| factors.solve(x, Side::Plain);
+                if slender.solve((equations, Some(borders)), rhs, accuracy, substitute) {
+                    return Ok(Some(true));
+                }
+                rhs.copy_from_slice(&wanted);
+            }
+            let motions = equations.layout().motions().end;
+            let solved = factors.solve_refined(&self.values, rhs, (motions, accuracy))?;
+            Ok(Some(solved))
+        })
     }
 
     fn growth(&mut self, equations: &mut Collocation) -> f64 {
+        if let (Some((factors, _)), true) = (&self.bordered, self.with_borders) {
+            let mut probe = probe(equations.layout().size());
+            return match factors.solve(&mut probe, Side::Plain) {
+                true => largest(&probe[..equations.size()]) * largest(&self.values),
+                false => f64::INFINITY,
+            };
+        }
         let mut probe = probe(equations.size());
         let solved = match (&mut self.freedoms, &self.solver) {
             (Some(freedoms), _) if self.by_freedoms => freedoms.respond(&self.values, &mut probe),
@@ -289,10 +383,17 @@ impl LinearSolver for Assembled {
     }
 
     fn is_resisted(&mut self, equations: &mut Collocation) -> bool {
-        match (&mut self.slender, &self.solver) {
-            (Some(slender), Some(solver)) => slender.is_resisted(equations, |x| solver.solve(x)),
-            _ => false,
+        let Some(slender) = &mut self.slender else {
+            return false;
+        };
+        if let (Some((factors, borders)), true) = (&self.bordered, self.with_borders) {
+            let substitute = |x: &mut [f64]| factors.solve(x, Side::Plain);
+            return slender.is_resisted((equations, Some(borders)), substitute);
         }
+        let Some(solver) = &self.solver else {
+            return false;
+        };
+        slender.is_resisted((equations, None), |x| solver.solve(x))
     }
 
     fn explain(&mut self, equations: &mut Collocation, state: &GridState) -> Singularity {

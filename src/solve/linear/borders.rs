@@ -3,14 +3,13 @@
 use crate::collocation::{Collocation, GridState, Tangent};
 use crate::error::Result;
 use crate::solve::linear::dense::largest;
-use crate::solve::linear::front::Held;
 use nalgebra::{DMatrix, DVector};
 
 /// Pivot of the Schur complement, relative to others, that is rounding.
-const NO_PIVOT: f64 = 1e-11;
+pub(crate) const NO_PIVOT: f64 = 1e-11;
 
 /// What stands beside and below `J`, and the Schur complement.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Borders {
     /// `B`, column by column.
     pub columns: Vec<Vec<f64>>,
@@ -18,12 +17,9 @@ pub(crate) struct Borders {
     pub size: usize,
     /// `[C D]`, row by row.
     pub rows: Vec<Vec<f64>>,
-    /// What is added to `J` where it is eliminated: `J + E H Fᵀ`, with unit vectors `E` and `F`. So
-    /// `q = H Fᵀ x` are scalars beside `p`, with columns `−E`.
-    pub held: Vec<Held>,
-    /// `J⁻¹ [B −E]`.
+    /// `J⁻¹ B`.
     pub eliminated: Vec<Vec<f64>>,
-    /// `(D − C J⁻¹ B)⁻¹`, of all scalars.
+    /// `(D − C J⁻¹ B)⁻¹`.
     pub inverse: DMatrix<f64>,
     /// Equation and unknown that it leaves undetermined.
     pub undetermined: Option<[usize; 2]>,
@@ -74,11 +70,6 @@ impl Borders {
     ) -> Result<bool> {
         self.undetermined = None;
         self.eliminated.clone_from(&self.columns);
-        for held in &self.held {
-            let mut column = vec![0.0; self.size];
-            column[held.row] = -1.0;
-            self.eliminated.push(column);
-        }
         for column in &mut self.eliminated {
             if !solve(column)? {
                 return Ok(false);
@@ -88,7 +79,7 @@ impl Borders {
         if let Some(motions) = motions {
             self.drop_rounding(&mut complement, motions);
         }
-        self.undetermined = smallest_pivot(&complement, self.count());
+        self.undetermined = smallest_pivot(&complement);
         if self.undetermined.is_some() {
             return Ok(false);
         }
@@ -114,30 +105,20 @@ impl Borders {
         }
     }
 
-    /// `D − C X`, with the columns `X` first in `eliminated`: of as many scalars as there are
-    /// columns.
+    /// `D − C X`, with the columns `X` first in `eliminated`.
     pub fn complement(&self, eliminated: &[Vec<f64>]) -> DMatrix<f64> {
-        let count = self.count();
-        DMatrix::from_fn(eliminated.len(), eliminated.len(), |i, j| match i < count {
-            true => {
-                let (row, size) = (&self.rows[i], self.size);
-                let own = row.get(size + j).unwrap_or(&0.0);
-                own - dot(&row[..size], &eliminated[j])
-            }
-            false => {
-                let held = &self.held[i - count];
-                let own = if i == j { -1.0 } else { 0.0 };
-                own - held.added * eliminated[j][held.column]
-            }
+        let (count, size) = (self.count(), self.size);
+        DMatrix::from_fn(count, count, |i, j| {
+            let row = &self.rows[i];
+            row[size + j] - dot(&row[..size], &eliminated[j])
         })
     }
 
-    /// Takes what is held where `J` is eliminated.
-    pub fn set_held(&mut self, held: Vec<Held>) {
-        if self.held != held {
-            self.held = held;
-            self.forget_elimination();
-        }
+    /// Sizes of the column of an unknown and of the equation of its number, multiplied; of what is
+    /// zero, 1.
+    pub fn size_of(&self, index: usize) -> f64 {
+        let sizes = [&self.columns[index], &self.rows[index]].map(|x| largest(x));
+        sizes.iter().filter(|size| **size > 0.0).product()
     }
 
     /// Number of scalars.
@@ -152,7 +133,7 @@ impl Borders {
 
     /// Whether the Schur complement is known.
     pub fn is_eliminated(&self) -> bool {
-        self.inverse.nrows() == self.rows.len() + self.held.len()
+        self.inverse.nrows() == self.rows.len()
     }
 
     /// Adds `B p`, and writes `C x + D p` to the end; between may stand what is not of the grid.
@@ -187,19 +168,15 @@ impl Borders {
     /// Makes of `[f; g]` on the right of the transposed equations `[Jᵀ x; p]`.
     pub fn reduce_transposed(&self, y: &mut [f64]) {
         let (f, g) = y.split_at_mut(y.len() - self.rows.len());
-        let of_scalar = |j: usize| g.get(j).unwrap_or(&0.0);
-        let rest = (self.eliminated.iter().enumerate()).map(|(j, e)| of_scalar(j) - dot(e, f));
+        let pairs = g.iter().zip(&self.eliminated);
+        let rest = pairs.map(|(g, e)| g - dot(e, f));
         let found = self
             .inverse
             .tr_mul(&DVector::from_iterator(self.eliminated.len(), rest));
         for (row, p) in self.rows.iter().zip(&found) {
             f.iter_mut().zip(row).for_each(|(f, c)| *f -= c * p);
         }
-        for (held, q) in self.held.iter().zip(found.iter().skip(self.count())) {
-            f[held.column] -= held.added * q;
-        }
-        let count = g.len();
-        g.copy_from_slice(&found.as_slice()[..count]);
+        g.copy_from_slice(found.as_slice());
     }
 
     /// Makes of `[J⁻¹ f; g]` the solution.
@@ -214,20 +191,17 @@ impl Borders {
         let of_grid = |row: &Vec<f64>| row.len() - self.rows.len();
         let rows = p.iter().zip(&self.rows);
         let rest = rows.map(|(g, row)| g - dot(&row[..of_grid(row)], x));
-        let of_held = self.held.iter().map(|held| -held.added * x[held.column]);
-        let rest = rest.chain(of_held).take(eliminated.len());
         let found = inverse * DVector::from_iterator(eliminated.len(), rest);
         for (column, p) in eliminated.iter().zip(&found) {
             x.iter_mut().zip(column).for_each(|(x, e)| *x -= e * p);
         }
-        let count = p.len();
-        p.copy_from_slice(&found.as_slice()[..count]);
+        p.copy_from_slice(found.as_slice());
     }
 }
 
 /// Row and column of a pivot that is none beside the others, where rows and columns are of equal
-/// size: among the first, so many, if that can be, as the others have theirs before.
-fn smallest_pivot(matrix: &DMatrix<f64>, first: usize) -> Option<[usize; 2]> {
+/// size.
+fn smallest_pivot(matrix: &DMatrix<f64>) -> Option<[usize; 2]> {
     let mut left = matrix.clone();
     for mut column in left.column_iter_mut() {
         let size = column.amax();
@@ -242,12 +216,6 @@ fn smallest_pivot(matrix: &DMatrix<f64>, first: usize) -> Option<[usize; 2]> {
         let places = rows
             .iter()
             .flat_map(|&i| columns.iter().map(move |&j| [i, j]));
-        let others = [&rows, &columns].map(|all| all.iter().any(|&i| i >= first));
-        let places = places.filter(|[i, j]| match others {
-            [true, _] => *i >= first,
-            [_, true] => *j >= first,
-            _ => true,
-        });
         let size = |at: &[usize; 2]| left[(at[0], at[1])].abs();
         let [i, j] = places.max_by(|a, b| size(a).total_cmp(&size(b)))?;
         // Written so that NaN is none.

@@ -44,16 +44,6 @@ pub(crate) struct Front {
     pub remainder: Mat<f64>,
     /// Largest entry of the matrix that enters here.
     pub largest_entry: f64,
-    /// What was added to the matrix, as there were no pivots.
-    pub held: Vec<Held>,
-}
-
-/// A number that is added to an entry of a matrix that is singular, or nearly, to have factors.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Held {
-    pub row: usize,
-    pub column: usize,
-    pub added: f64,
 }
 
 /// What becomes of unknowns without pivots.
@@ -63,8 +53,6 @@ pub(crate) enum NoPivot {
     Waits(f64),
     /// The matrix is singular.
     Ends,
-    /// Where pivots are no larger than this, they get others.
-    Holds(f64),
 }
 
 /// Multiply-adds of the elimination of so many unknowns, with so many others in their rows and
@@ -144,7 +132,6 @@ impl Front {
             delayed_sizes: Vec::new(),
             remainder: Mat::new(),
             largest_entry: 0.0,
-            held: Vec::new(),
         }
     }
 
@@ -171,9 +158,8 @@ impl Front {
         self.delayed_rows.clear();
         self.delayed_columns.clear();
         self.delayed_sizes.clear();
-        self.held.clear();
         let smallest_pivot = match no_pivot {
-            NoPivot::Waits(smallest) | NoPivot::Holds(smallest) => smallest,
+            NoPivot::Waits(smallest) => smallest,
             NoPivot::Ends => 0.0,
         };
         if !self.waits {
@@ -187,62 +173,11 @@ impl Front {
             return Ok(false);
         }
         assemble(self, &workspace.place)?;
-        if let NoPivot::Holds(_) = no_pivot {
-            return self.hold(smallest_pivot, workspace, parallelism);
-        }
         self.eliminate_some(
             smallest_pivot.max(SMALLEST_PARTIAL_PIVOT),
             workspace,
             parallelism,
         )?;
-        Ok(true)
-    }
-
-    /// Eliminates all unknowns of a front without parent; where there are no pivots it adds to the
-    /// matrix what is as large as the columns are. `false` if there is nothing in a column.
-    fn hold(
-        &mut self,
-        smallest_pivot: f64,
-        workspace: &mut FrontWorkspace,
-        parallelism: Par,
-    ) -> Result<bool> {
-        let own = self.upper.nrows();
-        self.measure_columns(&mut workspace.sizes);
-        let parallelism = self.parallelism(parallelism);
-        let count = factor_partially(
-            &mut self.upper,
-            &mut self.rows,
-            &mut self.columns,
-            &mut workspace.sizes,
-            smallest_pivot,
-            (parallelism, &workspace.workers),
-        )?;
-        // What is left of a column is little beside what is added.
-        for j in count..own {
-            let added = workspace.sizes[j];
-            self.upper[(j, j)] += added;
-            self.held.push(Held {
-                row: self.rows[j],
-                column: self.columns[j],
-                added,
-            });
-        }
-        for k in count..own {
-            let pivot = self.upper[(k, k)];
-            // Written so that NaN is none.
-            let good = pivot.abs() > 0.0 && pivot.is_finite();
-            if !good {
-                return Ok(false);
-            }
-            for i in k + 1..own {
-                self.upper[(i, k)] /= pivot;
-            }
-            for j in k + 1..own {
-                for i in k + 1..own {
-                    self.upper[(i, j)] -= self.upper[(i, k)] * self.upper[(k, j)];
-                }
-            }
-        }
         Ok(true)
     }
 

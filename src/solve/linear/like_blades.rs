@@ -8,13 +8,13 @@ use crate::collocation::{
     Collocation, GridState, Leaders, LikeBlades, LikeBladesPattern, OneBlade, Tangent,
 };
 use crate::error::Result;
+use crate::solve::linear::borders::Borders;
 use crate::solve::linear::cost::DirectCost;
 use crate::solve::linear::dense::{largest, probe};
 use crate::solve::linear::diagnosis::Singularity;
 use crate::solve::linear::direct::DirectSolver;
-use crate::solve::linear::front::Held;
 use crate::solve::linear::iterative::{Iterative, IterativeRecord, Preconditioner};
-use crate::solve::linear::solver::{ESTIMATE, LinearSolver};
+use crate::solve::linear::solver::{ESTIMATE, LinearSolver, Side};
 use crate::solve::report::{Timings, timed};
 use crate::system::System;
 use std::sync::Arc;
@@ -69,8 +69,6 @@ pub(crate) struct OfLikeBlades {
     gave_up: bool,
     /// Whether blades have turned out to differ, as parameters may make them.
     differ: bool,
-    /// Whether factors may be those of what is held; of the whole then.
-    holds: bool,
 }
 
 impl Factors {
@@ -205,7 +203,6 @@ impl OfLikeBlades {
             whole: None,
             gave_up: false,
             differ: false,
-            holds: false,
         }
     }
 
@@ -375,7 +372,6 @@ impl LinearSolver for OfLikeBlades {
             equations.set_resultants(Vec::new());
         }
         let mut whole = (self.new_whole)(equations);
-        whole.set_holds(self.holds);
         let done = whole.linearise(equations, state, timings)?;
         self.whole = Some(whole);
         Ok(done)
@@ -429,15 +425,59 @@ impl LinearSolver for OfLikeBlades {
         }
     }
 
-    fn set_holds(&mut self, holds: bool) {
-        self.holds = holds;
-        self.gave_up |= holds;
+    fn factors_borders(&self) -> bool {
+        let whole = self.whole.as_ref().filter(|_| self.gave_up);
+        whole.is_some_and(|whole| whole.factors_borders())
     }
 
-    fn held(&self) -> Vec<Held> {
-        match &self.whole {
-            Some(whole) if self.gave_up => whole.held(),
-            _ => Vec::new(),
+    fn insist_on_borders(&mut self, equations: &Collocation) {
+        self.gave_up = true;
+        let whole = (self.whole).get_or_insert_with(|| (self.new_whole)(equations));
+        whole.insist_on_borders(equations);
+    }
+
+    fn linearise_bordered(
+        &mut self,
+        equations: &mut Collocation,
+        state: &GridState,
+        borders: &mut Borders,
+        timings: &mut Timings,
+    ) -> Result<Option<bool>> {
+        match &mut self.whole {
+            Some(whole) if self.gave_up => {
+                if equations.set_leaders(None).is_some() {
+                    equations.set_resultants(Vec::new());
+                }
+                self.last = Some(state.clone());
+                whole.linearise_bordered(equations, state, borders, timings)
+            }
+            _ => Ok(None),
+        }
+    }
+
+    fn substitute_bordered(
+        &mut self,
+        rhs: &mut [f64],
+        side: Side,
+        timings: &mut Timings,
+    ) -> Option<bool> {
+        let whole = self.whole.as_mut().filter(|_| self.gave_up)?;
+        whole.substitute_bordered(rhs, side, timings)
+    }
+
+    fn solve_bordered(
+        &mut self,
+        equations: &mut Collocation,
+        borders: &Borders,
+        rhs: &mut [f64],
+        accuracy: f64,
+        timings: &mut Timings,
+    ) -> Result<Option<bool>> {
+        match &mut self.whole {
+            Some(whole) if self.gave_up => {
+                whole.solve_bordered(equations, borders, rhs, accuracy, timings)
+            }
+            _ => Ok(None),
         }
     }
 

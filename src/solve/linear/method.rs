@@ -8,13 +8,12 @@ use crate::solve::linear::borders::Borders;
 use crate::solve::linear::cost::{AFFORDABLE, DirectCost, iteration_bytes, tangent_bytes};
 use crate::solve::linear::diagnosis::Singularity;
 use crate::solve::linear::freedoms::FreedomSolver;
-use crate::solve::linear::front::Held;
 use crate::solve::linear::iterative::{Iterative, IterativeRecord, Preconditioner};
 use crate::solve::linear::like_blades::{OfLikeBlades, Whole};
 pub use crate::solve::linear::plan::LinearMethod;
 use crate::solve::linear::plan::{Choice, DELAYED, LARGE, Plan, SMALL};
 use crate::solve::linear::slender::SLENDER;
-use crate::solve::linear::solver::{ESTIMATE, LinearSolver};
+use crate::solve::linear::solver::{ESTIMATE, LinearSolver, Side};
 use crate::solve::report::{Timings, timed};
 
 /// Factors of the whole that take so many times what is affordable are not tried of one blade.
@@ -57,8 +56,6 @@ pub(crate) struct Linear {
     products: usize,
     /// Products that take as long as factors do.
     most_products: usize,
-    /// Whether factors may be those of what is held.
-    holds: bool,
     /// What iteration took until it was given up.
     given_up: Option<IterativeRecord>,
 }
@@ -148,7 +145,6 @@ impl Linear {
             last: None,
             products: 0,
             most_products: plan.most_products,
-            holds: false,
             given_up: None,
         }
     }
@@ -183,7 +179,7 @@ impl Linear {
     }
 
     /// Whether factors were refused memory, and iteration may do without.
-    fn refused(&self, factored: &Result<bool>) -> bool {
+    fn refused<T>(&self, factored: &Result<T>) -> bool {
         let is_refused = |error: &Error| error.kind() == ErrorKind::OutOfMemory;
         self.may_iterate && factored.as_ref().is_err_and(is_refused)
     }
@@ -259,7 +255,6 @@ impl Linear {
             ..iterative.record.clone()
         });
         let mut direct = timed(&mut timings.analysis, || Assembled::new(equations));
-        direct.set_holds(self.holds);
         let regular = direct.linearise(equations, state, timings);
         if matches!(&regular, Err(e) if e.kind() == ErrorKind::OutOfMemory) {
             return Ok(false);
@@ -347,7 +342,8 @@ impl LinearSolver for Linear {
     ) -> Result<Option<bool>> {
         self.limit_products(equations, accuracy, timings)?;
         let Active::Iterative(iterative) = &mut self.active else {
-            return Ok(None);
+            let factors = self.active.solver_mut();
+            return factors.solve_bordered(equations, borders, rhs, accuracy, timings);
         };
         let done = iterative.solve_bordered(equations, borders, rhs, accuracy, timings)?;
         self.products += iterative.record.products.last().copied().unwrap_or(0);
@@ -393,17 +389,38 @@ impl LinearSolver for Linear {
         self.active.solver().has_compliance()
     }
 
-    fn may_hold(&self) -> bool {
-        self.active.solver().may_hold()
+    fn factors_borders(&self) -> bool {
+        self.active.solver().factors_borders()
     }
 
-    fn set_holds(&mut self, holds: bool) {
-        self.holds = holds;
-        self.active.solver_mut().set_holds(holds);
+    fn insist_on_borders(&mut self, equations: &Collocation) {
+        self.active.solver_mut().insist_on_borders(equations);
     }
 
-    fn held(&self) -> Vec<Held> {
-        self.active.solver().held()
+    fn linearise_bordered(
+        &mut self,
+        equations: &mut Collocation,
+        state: &GridState,
+        borders: &mut Borders,
+        timings: &mut Timings,
+    ) -> Result<Option<bool>> {
+        let solver = self.active.solver_mut();
+        let factored = solver.linearise_bordered(equations, state, borders, timings);
+        if self.refused(&factored) {
+            self.give_up_factors(equations);
+            return Ok(None);
+        }
+        factored
+    }
+
+    fn substitute_bordered(
+        &mut self,
+        rhs: &mut [f64],
+        side: Side,
+        timings: &mut Timings,
+    ) -> Option<bool> {
+        let solver = self.active.solver_mut();
+        solver.substitute_bordered(rhs, side, timings)
     }
 
     fn growth(&mut self, equations: &mut Collocation) -> f64 {
@@ -434,7 +451,7 @@ mod tests {
         let grid = TimeGrid::new(9, period).unwrap();
         let state = GridState::reference(&system, grid);
         let mut equations = Collocation::new(system, grid).unwrap();
-        let refused = Err(Error::new(ErrorKind::OutOfMemory, "a dense block"));
+        let refused: Result<bool> = Err(Error::new(ErrorKind::OutOfMemory, "a dense block"));
         let mut linear = Linear::new(&equations, LinearMethod::Automatic);
         let chosen = Linear::new(&equations, LinearMethod::Direct);
         assert!(linear.refused(&refused) && !chosen.refused(&refused));

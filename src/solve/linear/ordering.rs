@@ -260,6 +260,32 @@ fn merge(
     subtree_by_subtree(result)
 }
 
+/// Adds a group that is coupled with all others, to be eliminated last: in the front that comes last
+/// of all, if there is one that does, or else in one of its own.
+pub(crate) fn with_last(mut fronts: Vec<FrontPlan>, group: usize) -> Vec<FrontPlan> {
+    let mut last = FrontPlan {
+        own: vec![group],
+        boundary: Vec::new(),
+        children: Vec::new(),
+        parent: None,
+    };
+    let is_root = |front: &FrontPlan| front.parent.is_none();
+    if fronts.iter().filter(|front| is_root(front)).count() == 1
+        && let Some(root) = fronts.pop_if(|front| is_root(front))
+    {
+        last.own = root.own;
+        last.own.push(group);
+    }
+    let parent = fronts.len();
+    for front in &mut fronts {
+        front.parent = front.parent.or(Some(parent));
+        front.boundary.push(group);
+    }
+    fronts.push(last);
+    link_children(&mut fronts);
+    fronts
+}
+
 /// Tells fronts of their children, in order.
 fn link_children(fronts: &mut [FrontPlan]) {
     fronts.iter_mut().for_each(|front| front.children.clear());

@@ -7,8 +7,8 @@
 
 use crate::collocation::{Collocation, GridState, Tangent};
 use crate::error::Result;
+use crate::solve::linear::borders::Borders;
 use crate::solve::linear::dense::{largest, probe};
-use crate::solve::linear::front::Held;
 use crate::solve::linear::iterative::{GmresOptions, GmresWorkspace, Parts, Preconditioned, gmres};
 
 /// Axial over bending stiffness from which on rounding matters.
@@ -28,22 +28,33 @@ pub(crate) struct Slender {
 struct Operator<'a, S> {
     equations: &'a Collocation,
     tangent: &'a mut Tangent,
-    held: &'a [Held],
+    borders: Option<&'a Borders>,
     substitute: S,
 }
 
 impl<S: FnMut(&mut [f64]) -> bool> Preconditioned for Operator<'_, S> {
     fn product(&mut self, x: &[f64], y: &mut [f64]) {
-        self.tangent.apply(self.equations, x, y);
-        for held in self.held {
-            y[held.row] += held.added * x[held.column];
-        }
+        apply((self.equations, self.borders), self.tangent, x, y);
     }
 
     fn precondition(&mut self, y: &mut [f64]) {
         if !(self.substitute)(y) {
             y.fill(f64::NAN);
         }
+    }
+}
+
+/// Writes the product of the equations, between borders if there are any, and `x`.
+fn apply(
+    (equations, borders): (&Collocation, Option<&Borders>),
+    tangent: &mut Tangent,
+    x: &[f64],
+    y: &mut [f64],
+) {
+    let size = equations.size();
+    tangent.apply(equations, &x[..size], &mut y[..size]);
+    if let Some(borders) = borders {
+        borders.product(x, y);
     }
 }
 
@@ -66,10 +77,10 @@ impl Slender {
     }
 
     /// Solves in place to the accuracy that is asked for, with the factors by which `substitute`
-    /// does, of the equations with what is held; `false` if that cannot be done.
+    /// does, of the equations, between borders if there are any; `false` if that cannot be done.
     pub fn solve(
         &mut self,
-        (equations, held): (&Collocation, &[Held]),
+        (equations, borders): (&Collocation, Option<&Borders>),
         rhs: &mut [f64],
         accuracy: f64,
         substitute: impl FnMut(&mut [f64]) -> bool,
@@ -85,7 +96,7 @@ impl Slender {
         let mut operator = Operator {
             equations,
             tangent: &mut self.tangent,
-            held,
+            borders,
             substitute,
         };
         let workers = equations.workers();
@@ -98,15 +109,17 @@ impl Slender {
     /// the softest.
     pub fn is_resisted(
         &mut self,
-        equations: &Collocation,
+        (equations, borders): (&Collocation, Option<&Borders>),
         mut substitute: impl FnMut(&mut [f64]) -> bool,
     ) -> bool {
-        let mut softest = probe(equations.size());
+        let count = borders.map_or(0, Borders::count);
+        let mut softest = probe(equations.size() + count);
         let mut found = vec![0.0; softest.len()];
         if !substitute(&mut softest) {
             return false;
         }
-        self.tangent.apply(equations, &softest, &mut found);
+        let whole = (equations, borders);
+        apply(whole, &mut self.tangent, &softest, &mut found);
         if !substitute(&mut found) {
             return false;
         }

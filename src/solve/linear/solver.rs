@@ -4,7 +4,6 @@ use crate::collocation::{Collocation, GridState, Tangent};
 use crate::error::Result;
 use crate::solve::linear::borders::Borders;
 use crate::solve::linear::diagnosis::Singularity;
-use crate::solve::linear::front::Held;
 use crate::solve::linear::iterative::IterativeRecord;
 use crate::solve::report::Timings;
 
@@ -13,6 +12,15 @@ use crate::solve::report::Timings;
 pub(crate) const COARSE: f64 = 1e-4;
 /// Of those that estimate errors.
 pub(crate) const ESTIMATE: f64 = 1e-2;
+
+/// Which equations are solved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Side {
+    /// The equations.
+    Plain,
+    /// The transposed ones.
+    Transposed,
+}
 
 /// Solver of the linearised equations.
 pub(crate) trait LinearSolver {
@@ -105,7 +113,8 @@ pub(crate) trait LinearSolver {
     }
 
     /// As [`LinearSolver::solve`], the equations between borders, which stand for those of the last
-    /// linearisation, by iteration on all at once. None if the equations are not solved so.
+    /// linearisation, by iteration on all at once, or by factors of all. None if the equations are
+    /// not solved so.
     ///
     /// # Errors
     /// If memory runs out.
@@ -126,18 +135,35 @@ pub(crate) trait LinearSolver {
         true
     }
 
-    /// Whether factors of what is held in place of the last equations take no more than theirs did.
-    fn may_hold(&self) -> bool {
+    /// Whether [`LinearSolver::linearise_bordered`] makes factors of the equations with their
+    /// borders.
+    fn factors_borders(&self) -> bool {
         false
     }
 
-    /// Whether factors may from now on be those of equations to which something is added, which
-    /// [`LinearSolver::held`] tells, where the equations themselves are singular.
-    fn set_holds(&mut self, _: bool) {}
+    /// From now on makes these, if it can, even where factors of fewer unknowns serve equations
+    /// without borders.
+    fn insist_on_borders(&mut self, _: &Collocation) {}
 
-    /// What was added to the equations that are solved, by factors of the last linearisation.
-    fn held(&self) -> Vec<Held> {
-        Vec::new()
+    /// As [`LinearSolver::linearise`], with the borders, of which it makes the columns of the
+    /// frequency. None if there are no factors of both.
+    ///
+    /// # Errors
+    /// As there.
+    fn linearise_bordered(
+        &mut self,
+        _: &mut Collocation,
+        _: &GridState,
+        _: &mut Borders,
+        _: &mut Timings,
+    ) -> Result<Option<bool>> {
+        Ok(None)
+    }
+
+    /// Substitutes in place by factors with borders of the last linearisation. None if there are
+    /// none; `false` if the result is not finite.
+    fn substitute_bordered(&mut self, _: &mut [f64], _: Side, _: &mut Timings) -> Option<bool> {
+        None
     }
 
     /// What iteration took, if any was tried.

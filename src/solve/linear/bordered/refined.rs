@@ -9,7 +9,7 @@ use crate::solve::linear::dense::largest;
 use crate::solve::linear::iterative::{
     GmresOptions, GmresWorkspace, Parts, Preconditioned, SHARPEST, gmres,
 };
-use crate::solve::linear::solver::LinearSolver;
+use crate::solve::linear::solver::{LinearSolver, Side};
 use crate::solve::report::Timings;
 
 /// Most refinements.
@@ -35,20 +35,13 @@ const SLOW: f64 = 1e-2;
 /// Accuracy of that iteration.
 const ITERATED: f64 = 1e-9;
 
-/// Which equations are solved.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Side {
-    /// The equations.
-    Plain,
-    /// The transposed ones.
-    Transposed,
-}
-
 struct Operator<'a, L> {
     equations: &'a mut Collocation,
     inner: &'a mut L,
     tangent: &'a mut Tangent,
     borders: &'a Borders,
+    /// Whether factors are those of all.
+    with_borders: bool,
     side: Side,
     /// Of what solves similar equations.
     accuracy: f64,
@@ -61,6 +54,10 @@ impl<L: LinearSolver> Operator<'_, L> {
     fn solve_similar(&mut self, y: &mut [f64]) -> Result<bool> {
         let size = self.equations.size();
         let (equations, timings) = (&mut *self.equations, &mut *self.timings);
+        if self.with_borders {
+            let substituted = self.inner.substitute_bordered(y, self.side, timings);
+            return Ok(substituted == Some(true));
+        }
         match self.side {
             Side::Plain => {
                 let of_grid = &mut y[..size];
@@ -134,7 +131,9 @@ impl<L: LinearSolver> Bordered<L> {
         side: Side,
         timings: &mut Timings,
     ) -> Result<bool> {
-        if !self.prepare_elimination(equations, SHARPEST, timings)? {
+        if self.with_borders {
+            self.evaluate(equations, timings)?;
+        } else if !self.prepare_elimination(equations, SHARPEST, timings)? {
             return Ok(false);
         }
         let own = equations.layout().motions().end..equations.size();
@@ -143,6 +142,7 @@ impl<L: LinearSolver> Bordered<L> {
             inner: &mut self.inner,
             tangent: &mut self.tangent,
             borders: &self.borders,
+            with_borders: self.with_borders,
             side,
             accuracy: SHARPEST,
             timings,

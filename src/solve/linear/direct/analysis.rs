@@ -2,7 +2,7 @@
 
 use crate::collocation::Panel;
 use crate::solve::linear::front::{Front, elimination_work};
-use crate::solve::linear::ordering::{FrontPlan, plan};
+use crate::solve::linear::ordering::{FrontPlan, plan, with_last};
 use crate::workers::parts;
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -20,14 +20,36 @@ pub(super) struct Analysis {
 }
 
 impl Analysis {
-    pub fn new(groups: Vec<Range<usize>>, node_groups: usize, all_panels: Vec<Panel>) -> Self {
+    /// Of unknowns in groups, of which the first are nodes, with these entries.
+    pub fn new(groups: Vec<Range<usize>>, node_groups: usize, panels: Vec<Panel>) -> Self {
+        let plans = Self::plans(&groups, node_groups, &panels);
+        Self::planned(groups, plans, panels)
+    }
+
+    /// The same, with a group more, which these entries `between` couple with all others.
+    pub fn bordered(
+        (mut groups, node_groups): (Vec<Range<usize>>, usize),
+        mut panels: Vec<Panel>,
+        (last, between): (Range<usize>, Vec<Panel>),
+    ) -> Self {
+        let plans = Self::plans(&groups, node_groups, &panels);
+        let plans = with_last(plans, groups.len());
+        groups.push(last);
+        panels.extend(between);
+        Self::planned(groups, plans, panels)
+    }
+
+    fn plans(groups: &[Range<usize>], node_groups: usize, panels: &[Panel]) -> Vec<FrontPlan> {
         let mut coupled = vec![BTreeSet::new(); groups.len()];
-        for panel in &all_panels {
+        for panel in panels {
             coupled[panel.row.0].insert(panel.column.0);
             coupled[panel.column.0].insert(panel.row.0);
         }
         let sizes: Vec<usize> = groups.iter().map(ExactSizeIterator::len).collect();
-        let plans = plan(&sizes, &coupled, node_groups);
+        plan(&sizes, &coupled, node_groups)
+    }
+
+    fn planned(groups: Vec<Range<usize>>, plans: Vec<FrontPlan>, all_panels: Vec<Panel>) -> Self {
         let mut front_of = vec![0; groups.len()];
         for (f, front) in plans.iter().enumerate() {
             for &g in &front.own {
@@ -39,7 +61,7 @@ impl Analysis {
         for panel in all_panels {
             panels[front_of[panel.row.0].min(front_of[panel.column.0])].push(panel);
         }
-        let size = |groups: &[usize]| groups.iter().map(|&g| sizes[g]).sum::<usize>();
+        let size = |own: &[usize]| own.iter().map(|&g| groups[g].len()).sum::<usize>();
         let mut subtrees: Vec<(f64, usize)> = Vec::with_capacity(plans.len());
         for front in &plans {
             let own = elimination_work(size(&front.own), size(&front.boundary));

@@ -19,8 +19,6 @@ pub(super) struct Factorisation<'a> {
     analysis: &'a Analysis,
     values: &'a [f64],
     smallest_pivot: f64,
-    /// What becomes of unknowns that have no pivots at all.
-    at_root: NoPivot,
     workspaces: Spare<FrontWorkspace>,
     workers: &'a Workers,
 }
@@ -29,14 +27,13 @@ impl<'a> Factorisation<'a> {
     pub fn new(
         analysis: &'a Analysis,
         values: &'a [f64],
-        (smallest_pivot, at_root): (f64, NoPivot),
+        smallest_pivot: f64,
         workers: &'a Workers,
     ) -> Self {
         Factorisation {
             analysis,
             values,
             smallest_pivot,
-            at_root,
             workspaces: Spare::default(),
             workers,
         }
@@ -151,7 +148,7 @@ impl<'a> Factorisation<'a> {
         };
         let no_pivot = match plan.parent {
             Some(_) => NoPivot::Waits(self.smallest_pivot),
-            None => self.at_root,
+            None => NoPivot::Ends,
         };
         if !front.eliminate(assemble, no_pivot, workspace, parallelism)? {
             return Ok(false);

@@ -6,8 +6,10 @@ mod analysis;
 mod columns;
 mod factorisation;
 mod substitution;
+mod with_borders;
 
 pub use columns::Columns;
+pub(crate) use with_borders::WithBorders;
 
 use crate::collocation::{Panel, Pattern};
 use crate::error::Result;
@@ -17,7 +19,7 @@ use crate::solve::linear::dense::{
 };
 use crate::solve::linear::direct::analysis::Analysis;
 use crate::solve::linear::direct::factorisation::Factorisation;
-use crate::solve::linear::front::{Front, Held, NoPivot};
+use crate::solve::linear::front::Front;
 use crate::solve::linear::solver::COARSE;
 use crate::work::{OF_FACTORS, SUBSTITUTION};
 use crate::workers::Workers;
@@ -29,9 +31,6 @@ use std::sync::Arc;
 const SMALLEST_PIVOT: f64 = 1e-9;
 /// The same, once a solve was not accurate enough: more waits, and larger fronts are factored.
 const SMALLEST_SAFE_PIVOT: f64 = 1e-5;
-/// A last pivot smaller than this, relative to its column, is held where that is wanted. Pivots of
-/// slow motions of stiff bodies are often 1e-6, and each that is held takes a solve.
-const SMALLEST_LAST_PIVOT: f64 = 1e-10;
 /// Residual of a solve, relative to its right-hand side, that needs no refinement.
 const ACCURATE: f64 = 1e-10;
 /// Residual of a refined solve that calls for safer pivots, relative to the right-hand side or, if
@@ -61,8 +60,6 @@ pub struct DirectSolver {
     /// Change of motions by the first refinement with these factors, relative to these.
     correction: f64,
     smallest_pivot: f64,
-    /// Whether a matrix that is singular is held.
-    holds: bool,
     workers: Workers,
 }
 
@@ -104,26 +101,12 @@ impl DirectSolver {
             accurate: false,
             correction: f64::INFINITY,
             smallest_pivot: SMALLEST_PIVOT,
-            holds: false,
         }
     }
 
     /// Shares the work of factorisations and substitutions among these threads.
     pub fn set_workers(&mut self, workers: Workers) {
         self.workers = workers;
-    }
-
-    /// Whether from now on factors exist of matrices that are singular, too: with what
-    /// [`Self::held`] tells added to them.
-    pub(crate) fn set_holds(&mut self, holds: bool) {
-        self.holds = holds;
-    }
-
-    /// What was added to the matrix that was factored.
-    pub(crate) fn held(&self) -> impl Iterator<Item = Held> {
-        self.fronts
-            .iter()
-            .flat_map(|front| front.held.iter().copied())
     }
 
     /// Factors the matrix with these values. `false` if it is singular.
@@ -148,12 +131,7 @@ impl DirectSolver {
         let analysis = &self.analysis;
         self.workers.work().spend(OF_FACTORS * analysis.work());
         let workers = self.workers.for_work(analysis.work() as usize);
-        let at_root = match self.holds {
-            true => NoPivot::Holds(SMALLEST_LAST_PIVOT),
-            false => NoPivot::Ends,
-        };
-        let pivots = (self.smallest_pivot, at_root);
-        Factorisation::new(analysis, values, pivots, &workers).run(&mut self.fronts)
+        Factorisation::new(analysis, values, self.smallest_pivot, &workers).run(&mut self.fronts)
     }
 
     /// Size of the largest entry of the matrix that was factored.
@@ -301,16 +279,13 @@ impl DirectSolver {
         largest(&rest)
     }
 
-    /// `b − A x`, of the matrix with what is held.
+    /// `b − A x`.
     fn residual(&self, values: &[f64], b: &[f64], x: &[f64]) -> Vec<f64> {
         let mut rest = b.to_vec();
         self.workers
             .work()
             .spend(SUBSTITUTION * values.len() as f64);
         self.subtract_panels(values, x, &mut rest);
-        for held in self.held() {
-            rest[held.row] -= held.added * x[held.column];
-        }
         rest
     }
 

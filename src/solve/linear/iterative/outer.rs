@@ -17,11 +17,17 @@ pub(crate) trait Outer<L> {
     /// Writes the product with `x`.
     fn product(&mut self, equations: &Collocation, inner: &L, x: &[f64], y: &mut [f64]);
 
-    /// Makes the preconditioned vector of one whose entries of the grid's equations were solved
-    /// for.
-    fn complete(&self, y: &mut [f64]) {
-        let _ = y;
-    }
+    /// Preconditions `y`, by what `inner` solves to this accuracy. `false` if it does not.
+    ///
+    /// # Errors
+    /// Those of the inner solver.
+    fn precondition(
+        &self,
+        inner: (&mut Collocation, &mut L),
+        y: &mut [f64],
+        accuracy: f64,
+        timings: &mut Timings,
+    ) -> Result<bool>;
 }
 
 struct Operator<'a, L, O> {
@@ -41,14 +47,13 @@ impl<L: LinearSolver, O: Outer<L>> Preconditioned for Operator<'_, L, O> {
 
     fn precondition(&mut self, y: &mut [f64]) {
         if matches!(self.end, Ok(true)) {
-            let of_grid = &mut y[..self.equations.size()];
+            let inner = (&mut *self.equations, &mut *self.inner);
             let (accuracy, timings) = (self.accuracy, &mut *self.timings);
-            self.end = self.inner.solve(self.equations, of_grid, accuracy, timings);
+            self.end = self.outer.precondition(inner, y, accuracy, timings);
         }
-        match self.end {
-            Ok(true) => self.outer.complete(y),
+        if !matches!(self.end, Ok(true)) {
             // Which ends the iteration.
-            _ => y.fill(0.0),
+            y.fill(0.0);
         }
     }
 }

@@ -26,9 +26,19 @@ pub(crate) struct Projected<L> {
     products: Vec<usize>,
 }
 
-impl<L> Outer<L> for OversampledTangent {
+impl<L: LinearSolver> Outer<L> for OversampledTangent {
     fn product(&mut self, _: &Collocation, _: &L, x: &[f64], y: &mut [f64]) {
         self.apply(x, y);
+    }
+
+    fn precondition(
+        &self,
+        (equations, sampled): (&mut Collocation, &mut L),
+        y: &mut [f64],
+        accuracy: f64,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        sampled.solve(equations, y, accuracy, timings)
     }
 }
 
