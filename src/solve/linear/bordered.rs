@@ -13,6 +13,7 @@
 //! See docs/theory.md, section 8.8.
 
 mod determined;
+mod iteration;
 mod refined;
 
 use crate::collocation::{Collocation, GridState, Tangent};
@@ -20,10 +21,8 @@ use crate::error::Result;
 use crate::solve::linear::borders::Borders;
 use crate::solve::linear::dense::{largest, probe};
 use crate::solve::linear::diagnosis::Singularity;
-use crate::solve::linear::iterative::{
-    GmresOptions, GmresWorkspace, Outer, Parts, SHARPEST, solve_around,
-};
-use crate::solve::linear::solver::{COARSE, LinearSolver, Side};
+use crate::solve::linear::iterative::{GmresWorkspace, SHARPEST};
+use crate::solve::linear::solver::{COARSE, LinearSolver};
 use crate::solve::report::{Timings, timed};
 
 /// Scaled stiffness of the nodes against the ground.
@@ -309,35 +308,6 @@ impl<L: LinearSolver> Bordered<L> {
         let solved = inner.solve_bordered(equations, borders, rhs, accuracy, timings)?;
         Ok(solved == Some(true) && rhs.iter().all(|x| x.is_finite()))
     }
-
-    /// Solves by iteration with exact products, preconditioned by the factors that there are.
-    fn iterate(
-        &mut self,
-        equations: &mut Collocation,
-        rhs: &mut [f64],
-        accuracy: f64,
-        timings: &mut Timings,
-    ) -> Result<bool> {
-        let options = GmresOptions {
-            tolerance: accuracy,
-            leading: equations.layout().motions().end,
-            essential: rhs.len(),
-            parts: Parts::AsTheyAre,
-            iteration_limit: ITERATION_LIMIT,
-            restart: ITERATION_LIMIT,
-        };
-        let mut whole = Whole {
-            tangent: &mut self.tangent,
-            borders: &self.borders,
-            with_borders: self.with_borders,
-        };
-        let of_grid = (equations, &mut self.inner);
-        let workspace = &mut self.workspace;
-        let (inner, end) = solve_around(of_grid, &mut whole, rhs, &options, timings, workspace)?;
-        // Written so that NaN fails too.
-        let accurate = end.error <= accuracy;
-        Ok(inner && accurate && rhs.iter().all(|x| x.is_finite()))
-    }
 }
 
 /// Takes from the product with `x`, or from the transposed one, what only makes factors exist: the
@@ -348,41 +318,6 @@ fn without_help<L: LinearSolver>(equations: &Collocation, inner: &L, x: &[f64], 
         let mut compliance = vec![0.0; x.len()];
         equations.compliance_of(x, &mut compliance);
         y.iter_mut().zip(&compliance).for_each(|(y, c)| *y -= c);
-    }
-}
-
-/// The whole equations, without the ground.
-struct Whole<'a> {
-    tangent: &'a mut Tangent,
-    borders: &'a Borders,
-    /// Whether factors are those of `J` with borders.
-    with_borders: bool,
-}
-
-impl<L: LinearSolver> Outer<L> for Whole<'_> {
-    fn product(&mut self, equations: &Collocation, inner: &L, x: &[f64], y: &mut [f64]) {
-        let size = equations.size();
-        let of_grid = &x[..size];
-        self.tangent.apply(equations, of_grid, &mut y[..size]);
-        without_help(equations, inner, of_grid, &mut y[..size]);
-        self.borders.product(x, y);
-    }
-
-    fn precondition(
-        &self,
-        (equations, inner): (&mut Collocation, &mut L),
-        y: &mut [f64],
-        accuracy: f64,
-        timings: &mut Timings,
-    ) -> Result<bool> {
-        if self.with_borders {
-            let substituted = inner.substitute_bordered(y, Side::Plain, timings);
-            return Ok(substituted == Some(true));
-        }
-        let of_grid = &mut y[..equations.size()];
-        let solved = inner.solve(equations, of_grid, accuracy, timings)?;
-        self.borders.substitute(y);
-        Ok(solved)
     }
 }
 
@@ -512,6 +447,7 @@ mod tests {
     use crate::elements::JointKind;
     use crate::model::{Model, SectionInput};
     use crate::solve::linear::method::{Linear, LinearMethod};
+    use crate::solve::linear::solver::Side;
     use crate::solve::test_models::Linearised;
     use crate::test_models::parts::{rotation1, spring};
     use crate::test_models::small::{crank_rocker, one_blade};

@@ -4,19 +4,19 @@
 //! Right sides that are not alike at all blades, as a load on one of them makes, are not left out:
 //! they are solved for with the whole Jacobian.
 
-use crate::collocation::{
-    Collocation, GridState, Leaders, LikeBlades, LikeBladesPattern, OneBlade, Tangent,
-};
+mod iteration;
+
+use crate::collocation::{Collocation, GridState, Leaders, LikeBlades, LikeBladesPattern, Tangent};
 use crate::error::Result;
 use crate::solve::linear::borders::Borders;
 use crate::solve::linear::cost::DirectCost;
 use crate::solve::linear::dense::{largest, probe};
 use crate::solve::linear::diagnosis::Singularity;
 use crate::solve::linear::direct::DirectSolver;
-use crate::solve::linear::iterative::{Iterative, IterativeRecord, Preconditioner};
+use crate::solve::linear::iterative::IterativeRecord;
 use crate::solve::linear::solver::{ESTIMATE, LinearSolver, Side};
 use crate::solve::report::{Timings, timed};
-use crate::system::System;
+use iteration::Iteration;
 use std::sync::Arc;
 
 /// Right sides that differ by less, relative to them, are alike.
@@ -43,16 +43,6 @@ struct Factors {
     pattern: LikeBladesPattern,
     values: Vec<f64>,
     solver: DirectSolver,
-}
-
-/// One blade, and what iterates on its equations.
-struct Iteration {
-    /// Of the whole.
-    system: Arc<System>,
-    blade: OneBlade,
-    iterative: Iterative,
-    /// Growth of the last linearisation.
-    growth: f64,
 }
 
 /// Newton's equations by those that are left.
@@ -108,70 +98,6 @@ impl Factors {
         timed(&mut timings.factorisation, || {
             self.solver.factor(&self.values)
         })
-    }
-}
-
-impl Iteration {
-    fn new(equations: &Collocation, left: &LikeBlades) -> Option<Self> {
-        let system = equations.system().clone();
-        let blade = OneBlade::of(equations, system.symmetry()?, left).ok()??;
-        let iterative = Iterative::new(&blade.equations, Some(Preconditioner::BodyCirculant));
-        Some(Iteration {
-            system,
-            blade,
-            iterative,
-            growth: f64::INFINITY,
-        })
-    }
-
-    /// Linearises at a state of the whole. `false` if that is singular, or nearly so.
-    fn linearise(
-        &mut self,
-        equations: &Collocation,
-        left: &LikeBlades,
-        state: &GridState,
-        timings: &mut Timings,
-    ) -> Result<bool> {
-        // Parameters may have made other elements.
-        if !Arc::ptr_eq(&self.system, equations.system()) {
-            let Some(next) = Self::new(equations, left) else {
-                return Ok(false);
-            };
-            *self = next;
-        }
-        let Iteration {
-            system,
-            blade,
-            iterative,
-            growth,
-        } = self;
-        blade.follow(equations)?;
-        let own = blade.state(system, state);
-        let done = iterative.linearise(&mut blade.equations, &own, timings)?;
-        *growth = match done {
-            true => iterative.growth(&mut blade.equations),
-            false => f64::INFINITY,
-        };
-        Ok(*growth <= iterative.suspect)
-    }
-
-    /// Solves in place for the unknowns that are left.
-    fn solve(
-        &mut self,
-        left: &LikeBlades,
-        x: &mut [f64],
-        accuracy: f64,
-        timings: &mut Timings,
-    ) -> Result<bool> {
-        let Iteration {
-            blade, iterative, ..
-        } = self;
-        let mut own = blade.rows(left, x);
-        let solved = iterative.solve(&mut blade.equations, &mut own, accuracy, timings)?;
-        if solved {
-            blade.unknowns(left, &own, x);
-        }
-        Ok(solved)
     }
 }
 
@@ -306,6 +232,13 @@ impl OfLikeBlades {
     }
 }
 
+/// Goes on with all blades. Stress resultants may be those of what leads alone.
+fn leave_leaders(equations: &mut Collocation) {
+    if equations.set_leaders(None).is_some() {
+        equations.set_resultants(Vec::new());
+    }
+}
+
 impl LinearSolver for OfLikeBlades {
     fn prepare(&self, equations: &mut Collocation, state: &mut GridState) {
         let system = equations.system().clone();
@@ -367,10 +300,7 @@ impl LinearSolver for OfLikeBlades {
             }
         }
         self.gave_up = true;
-        // Stress resultants may be those of what leads alone.
-        if equations.set_leaders(None).is_some() {
-            equations.set_resultants(Vec::new());
-        }
+        leave_leaders(equations);
         let mut whole = (self.new_whole)(equations);
         let done = whole.linearise(equations, state, timings)?;
         self.whole = Some(whole);
@@ -443,16 +373,12 @@ impl LinearSolver for OfLikeBlades {
         borders: &mut Borders,
         timings: &mut Timings,
     ) -> Result<Option<bool>> {
-        match &mut self.whole {
-            Some(whole) if self.gave_up => {
-                if equations.set_leaders(None).is_some() {
-                    equations.set_resultants(Vec::new());
-                }
-                self.last = Some(state.clone());
-                whole.linearise_bordered(equations, state, borders, timings)
-            }
-            _ => Ok(None),
-        }
+        let Some(whole) = self.whole.as_mut().filter(|_| self.gave_up) else {
+            return Ok(None);
+        };
+        leave_leaders(equations);
+        self.last = Some(state.clone());
+        whole.linearise_bordered(equations, state, borders, timings)
     }
 
     fn substitute_bordered(
@@ -473,11 +399,9 @@ impl LinearSolver for OfLikeBlades {
         accuracy: f64,
         timings: &mut Timings,
     ) -> Result<Option<bool>> {
-        match &mut self.whole {
-            Some(whole) if self.gave_up => {
-                whole.solve_bordered(equations, borders, rhs, accuracy, timings)
-            }
-            _ => Ok(None),
+        match self.whole.as_mut().filter(|_| self.gave_up) {
+            Some(whole) => whole.solve_bordered(equations, borders, rhs, accuracy, timings),
+            None => Ok(None),
         }
     }
 

@@ -13,8 +13,8 @@
 //! * By iteration: `iterative`, with GMRES in `iterative/gmres` (docs/theory.md, section 8.3) and
 //!   the preconditioners `iterative/body_circulant` (docs/theory.md, section 8.5) and
 //!   `iterative/time_local` (docs/theory.md, section 8.6).
-//! * With scalar unknowns, such as a period, and equations for them: `bordered`, `borders`
-//!   (docs/theory.md, section 8.8).
+//! * With scalar unknowns, such as a period, and equations for them: `bordered`, `borders`, and
+//!   `direct/with_borders` with factors of both (docs/theory.md, section 8.8).
 //! * `diagnosis` says what is free to move, or which constraints say the same thing twice
 //!   (docs/theory.md, section 7.5).
 //! * Dense kernels: `dense` with one vector, `blocks` with large matrices, `eigenvalues`.

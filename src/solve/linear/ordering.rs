@@ -260,8 +260,8 @@ fn merge(
     subtree_by_subtree(result)
 }
 
-/// Adds a group that is coupled with all others, to be eliminated last: in the front that comes last
-/// of all, if there is one that does, or else in one of its own.
+/// Adds a group that is coupled with all others, to be eliminated last: in the front that comes
+/// last of all, if there is one that does, or else in one of its own.
 pub(crate) fn with_last(mut fronts: Vec<FrontPlan>, group: usize) -> Vec<FrontPlan> {
     let mut last = FrontPlan {
         own: vec![group],
