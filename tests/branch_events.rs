@@ -404,7 +404,8 @@ fn folds_of_limit_cycles_are_located_and_followed() {
         let fold = &branch.points[at];
         println!("off by {:e}", fold.values[0] - 0.25);
         assert!((fold.values[0] - 0.25).abs() < 1e-12);
-        assert_quadratic(fold, 2);
+        // The cubic between two points leads so near that there are but two increments.
+        assert_quadratic(fold, 1);
 
         let range = BranchOptions {
             range: [0.5, 3.0],

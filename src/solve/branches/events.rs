@@ -13,6 +13,8 @@ use crate::error::Result;
 const MOST: usize = 30;
 /// Length of what is left to search, over the step, that is none.
 const NARROW: f64 = 1e-14;
+/// The same of folds: tangents tell no better, and the parameter changes by the square of that.
+const FLAT: f64 = 1e-10;
 /// What is left of a test, relative to that at the last point, where Newton's method is tried.
 const NEAR: f64 = 0.3;
 /// Logarithms of ratios of determinants that are told apart.
@@ -92,6 +94,55 @@ impl Tests {
     }
 }
 
+/// Where a test changes sign.
+struct Bracket {
+    /// The newest point, and the other end: places, and values there.
+    newest: (f64, f64),
+    other: (f64, f64),
+    /// How far from the newest to the other the next point is.
+    part: f64,
+}
+
+impl Bracket {
+    fn new(first: (f64, f64), last: (f64, f64)) -> Self {
+        Bracket {
+            newest: first,
+            other: last,
+            part: first.1 / (first.1 - last.1),
+        }
+    }
+
+    /// Where the test is evaluated next.
+    fn next(&self) -> f64 {
+        self.newest.0 + self.part * (self.other.0 - self.newest.0)
+    }
+
+    /// Takes a value there, and gives the way to the next place.
+    fn take(&mut self, found: (f64, f64)) -> f64 {
+        // The one before that is no end any more.
+        let third = match found.1 * self.newest.1 > 0.0 {
+            true => self.newest,
+            false => std::mem::replace(&mut self.other, self.newest),
+        };
+        self.newest = found;
+        let ([a, b, c], [fa, fb, fc]) = (
+            [found.0, self.other.0, third.0],
+            [found.1, self.other.1, third.1],
+        );
+        // By the inverse of a parabola through all three where that is between the ends.
+        let (way, value) = ((a - b) / (c - b), (fa - fb) / (fc - fb));
+        let is_smooth = value * value < way && (1.0 - value).powi(2) < 1.0 - way;
+        self.part = match is_smooth {
+            true => {
+                fa / (fb - fa) * fc / (fb - fc)
+                    + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb)
+            }
+            false => 0.5,
+        };
+        (self.next() - a).abs()
+    }
+}
+
 /// An event between two points of a branch.
 pub(super) struct Found {
     pub event: Event,
@@ -166,7 +217,7 @@ impl Walk<'_> {
     pub fn events(
         &mut self,
         (from, here): (&Place, &Tests),
-        (there, length): (&Tests, f64),
+        (to, there, length): (&Place, &Tests, f64),
     ) -> Result<Vec<Found>> {
         let all = [Event::Fold, Event::BranchPoint, Event::PeriodDoubling];
         let all = all.map(Sought::Event).into_iter();
@@ -174,34 +225,49 @@ impl Walk<'_> {
         sought.extend(here.torus(there, sought.len()));
         let mut found = Vec::new();
         for one in sought {
-            found.extend(self.locate(one, (from, here), (there, length))?);
+            found.extend(self.locate(one, (from, here), (to, there, length))?);
         }
         found.sort_by(|a: &Found, b: &Found| a.at.total_cmp(&b.at));
         Ok(found)
     }
 
-    /// Where the test for an event vanishes: by the secant method of Illinois, each time at a point
-    /// of the branch, and where the event has an equation of its own by Newton's method from near
-    /// there. None where that fails.
+    /// Where the test for an event vanishes: by Chandrupatla's method, each time at a point of the
+    /// branch, and where the event has an equation of its own by Newton's method from near there.
+    /// None where that fails.
     fn locate(
         &mut self,
         sought: Sought,
         (from, here): (&Place, &Tests),
-        (there, length): (&Tests, f64),
+        (to, there, length): (&Place, &Tests, f64),
     ) -> Result<Option<Found>> {
         let (Some(first), Some(last)) = (here.relative(here, sought), there.relative(here, sought))
         else {
             return Ok(None);
         };
-        let (mut low, mut high) = ((0.0, first), (length, last));
+        let is_fold = sought == Sought::Event(Event::Fold);
+        let (mut bracket, narrow) = (
+            Bracket::new((0.0, first), (length, last)),
+            match is_fold {
+                true => FLAT * length,
+                false => NARROW * length,
+            },
+        );
+        if is_fold {
+            bracket.part = self.turn_between((from, here), (to, there, length));
+        }
         let mut best: Option<(Found, f64)> = None;
         let mut tried = false;
         for _ in 0..MOST {
-            let at: f64 = (low.0 * high.1 - high.0 * low.1) / (high.1 - low.1);
+            let at = bracket.next();
             if !at.is_finite() || at <= 0.0 || at >= length {
                 break;
             }
-            let Ok(stepped) = self.step(from, at)? else {
+            let near = match &best {
+                Some((found, _)) => (&found.stepped.to, found.at),
+                None if length - at < at => (to, length),
+                None => (from, 0.0),
+            };
+            let Ok(stepped) = self.step_near(from, at, near)? else {
                 break;
             };
             let tests = self.test(&stepped.to, sought)?;
@@ -227,22 +293,33 @@ impl Walk<'_> {
                 };
                 best = Some((found, value));
             }
-            if value == 0.0 || f64::abs(high.0 - low.0) <= NARROW * length {
-                break;
-            }
-            if value * high.1 < 0.0 {
-                low = high;
-            } else {
-                low.1 *= 0.5;
-            }
             // No nearer than rounding allows.
-            let stands = (at - high.0).abs() <= NARROW * length;
-            high = (at, value);
-            if stands {
+            if value == 0.0 || bracket.take((at, value)) <= narrow {
                 break;
             }
         }
         Ok(best.map(|(found, _)| found))
+    }
+
+    /// Where between two places a fold is, as a part of the way, if the parameter is a cubic
+    /// between them.
+    fn turn_between(
+        &self,
+        (from, here): (&Place, &Tests),
+        (to, there, length): (&Place, &Tests, f64),
+    ) -> f64 {
+        let scale = self.scales[self.scales.len() - 1] * length;
+        let mean = (self.parameter(&to.state) - self.parameter(&from.state)) / scale;
+        let cosine = self.inner(&from.tangent, &to.tangent);
+        let (first, last) = (here.slope, there.slope / cosine);
+        // first + linear t + square t², which is of different signs at the ends.
+        let linear = 6.0 * mean - 4.0 * first - 2.0 * last;
+        let square = 3.0 * (first + last) - 6.0 * mean;
+        let root = (linear * linear - 4.0 * square * first).sqrt();
+        let sum = -0.5 * (linear + root.copysign(linear));
+        let roots = [sum / square, first / sum];
+        let within = roots.into_iter().find(|t| *t > 0.0 && *t < 1.0);
+        within.unwrap_or(first / (first - last))
     }
 
     /// The event near a place, by its own equation; none if it has none, or is not found within

@@ -379,7 +379,7 @@ impl Follow<'_, '_> {
     ) -> Result<Option<Tests>> {
         let there = self.walk.tests(to)?;
         let mut before = 0.0;
-        for found in self.walk.events(from, (&there, length))? {
+        for found in self.walk.events(from, (to, &there, length))? {
             let step = [found.at - before, found.stepped.shown.angle];
             let place = &found.stepped.to;
             let stability = self.walk.stability(place)?;

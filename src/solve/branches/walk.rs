@@ -232,19 +232,37 @@ impl<'a> Walk<'a> {
         from: &Place,
         length: f64,
     ) -> Result<std::result::Result<Stepped, NewtonReport>> {
+        self.step_near(from, length, (from, 0.0))
+    }
+
+    /// The same, starting at a point `near` that, which is so far along the branch from the first.
+    pub fn step_near(
+        &mut self,
+        from: &Place,
+        length: f64,
+        (near, passed): (&Place, f64),
+    ) -> Result<std::result::Result<Stepped, NewtonReport>> {
         let arc = self.arc(&from.state, &from.tangent, length);
         self.set_condition(Arc::new(arc), &from.state)?;
         let system = self.newton.equations.system().clone();
         let predicted = from.state.incremented(&system, &from.tangent, length);
-        let (mut state, rate) = match &from.course {
-            None => (predicted.clone(), None),
+        let ahead = match passed == 0.0 {
+            true => length,
+            false => (length - passed) / self.inner(&near.tangent, &from.tangent),
+        };
+        let (increment, rate) = match &near.course {
+            None => (near.tangent.iter().map(|x| ahead * x).collect(), None),
             Some(course) => {
-                let to = course.increment(&from.tangent, length);
-                let rate = course.rate(&from.tangent, length);
-                (from.state.incremented(&system, &to, 1.0), Some(rate))
+                let rate = course.rate(&near.tangent, ahead);
+                (course.increment(&near.tangent, ahead), Some(rate))
             }
         };
-        self.predict_resultants(&from.tangent, length);
+        let mut state = near.state.incremented(&system, &increment, 1.0);
+        if passed != 0.0 {
+            self.newton.equations.apply_scalars(&near.state)?;
+            self.newton.equations.update_kinematics(&near.state);
+        }
+        self.predict_resultants(&near.tangent, ahead);
         let report = self.solve(&mut state, ITERATION_LIMIT)?;
         if report.outcome != Outcome::Converged {
             self.newton.trusts = false;

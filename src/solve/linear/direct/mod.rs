@@ -231,23 +231,33 @@ impl DirectSolver {
         if !self.solve(rhs) {
             return Ok(false);
         }
-        let left = self.refine(values, &wanted, rhs, motions);
-        // What rounding of the product leaves, of a small right side much, is none of the factors'
-        // fault.
-        let size = largest(&wanted).max(self.largest_entry() * largest(rhs));
-        if left > INACCURATE * size && self.smallest_pivot < SMALLEST_SAFE_PIVOT {
+        let left = self.refine(values, &wanted, rhs, (motions, accuracy));
+        if left > INACCURATE * self.size(&wanted, rhs) && self.smallest_pivot < SMALLEST_SAFE_PIVOT
+        {
             self.smallest_pivot = SMALLEST_SAFE_PIVOT;
             rhs.copy_from_slice(&wanted);
             if !self.factor(values)? || !self.solve(rhs) {
                 return Ok(false);
             }
-            self.refine(values, &wanted, rhs, motions);
+            self.refine(values, &wanted, rhs, (motions, accuracy));
         }
         Ok(true)
     }
 
+    /// What a residual of `A x = b` is large or small beside: what rounding of the product leaves,
+    /// of a small right side much, is none of the factors' fault.
+    fn size(&self, b: &[f64], x: &[f64]) -> f64 {
+        largest(b).max(self.largest_entry() * largest(x))
+    }
+
     /// Refines the solution `x` of `A x = b`; returns the largest residual that is left.
-    fn refine(&mut self, values: &[f64], b: &[f64], x: &mut [f64], motions: usize) -> f64 {
+    fn refine(
+        &mut self,
+        values: &[f64],
+        b: &[f64],
+        x: &mut [f64],
+        (motions, accuracy): (usize, f64),
+    ) -> f64 {
         let mut rest = self.residual(values, b, x);
         let enough = ACCURATE * largest(b);
         self.accurate = largest(&rest) <= enough;
@@ -272,7 +282,11 @@ impl DirectSolver {
             }
             x.copy_from_slice(&better);
             rest = left;
-            if after > STANDS * before {
+            // The next one changes motions by the square of what the first has.
+            let is_enough = accuracy >= FINER * COARSE
+                && self.correction * self.correction <= UNREFINED * accuracy
+                && after <= INACCURATE * self.size(b, x);
+            if is_enough || after > STANDS * before {
                 break;
             }
         }
