@@ -445,11 +445,10 @@ mod tests {
     use super::*;
     use crate::collocation::ScalarEquations;
     use crate::elements::JointKind;
-    use crate::model::{Model, SectionInput};
+    use crate::model::Model;
     use crate::solve::linear::method::{Linear, LinearMethod};
     use crate::solve::linear::solver::Side;
     use crate::solve::test_models::Linearised;
-    use crate::test_models::parts::{rotation1, spring};
     use crate::test_models::small::{crank_rocker, one_blade};
     use faer::Mat;
     use faer::linalg::solvers::Solve;
@@ -606,72 +605,6 @@ mod tests {
                 assert!(errors.iter().all(|e| *e < 1e-9), "{errors:?}");
             }
         }
-    }
-
-    /// Bodies and beams in a row, on hinges of which some are free: these are counted.
-    fn random_chain(random: &mut impl FnMut() -> f64) -> (Model, usize) {
-        let mut model = Model::new();
-        let (mut before, mut place, mut free) = (None, Vector3::zeros(), 0);
-        let members = 1 + (3.0 * random()) as usize;
-        for _ in 0..members {
-            let axis = Vector3::from_fn(|_, _| random() - 0.5).normalize();
-            let along = Vector3::from_fn(|_, _| random() - 0.5).normalize();
-            let end = place + along;
-            let ends = match random() < 0.5 {
-                true => {
-                    let bending = 10f64.powf(4.0 * random());
-                    let stiffness = [1e2, 4e1, 4e1, 0.8, 1.0, 1.0].map(|x| x * bending);
-                    let section = SectionInput::diagonal(&stiffness, &[1.0, 0.1, 0.1, 0.1]);
-                    let across = along.cross(&axis);
-                    let section = section.unwrap();
-                    let beam = model.add_straight_beam(&place, &end, &across, &section, 1, 2);
-                    let beam = beam.unwrap();
-                    [beam.first_node, beam.last_node]
-                }
-                false => {
-                    let ball = Matrix3::identity() * 0.1;
-                    let centre = (place + end) / 2.0;
-                    [model.add_rigid_body(1.0, &centre, &ball).unwrap(); 2]
-                }
-            };
-            let frame = Model::frame_at("axis", &place, &axis).unwrap();
-            let kind = JointKind::Revolute;
-            let joint = model.add_joint(kind, before, Some(ends[0]), &frame, &frame);
-            match random() < 0.5 {
-                true => free += 1,
-                false => spring(&mut model, rotation1(joint.unwrap()), 1.0 + random(), 0.1),
-            }
-            (before, place) = (Some(ends[1]), end);
-        }
-        (model, free)
-    }
-
-    /// Borders that hold all that is free, and some more.
-    #[test]
-    fn random_equations_have_the_solution_of_the_dense_matrix() {
-        let mut last = 7u64;
-        let mut random = || {
-            last = last
-                .wrapping_mul(6364136223846793005)
-                .wrapping_add(1442695040888963407);
-            (last >> 11) as f64 / (1u64 << 53) as f64
-        };
-        let mut singular = 0;
-        for case in 0..40 {
-            let (model, free) = random_chain(&mut random);
-            let count = free + (3.0 * random()) as usize;
-            if count == 0 {
-                continue;
-            }
-            singular += usize::from(free > 0);
-            let (errors, others) = error(&model, TAU, count, LinearMethod::Direct);
-            println!("{case} {free} {count}: {errors:?}");
-            assert!(
-                !others && errors.iter().all(|e| *e < 1e-8),
-                "{case}: {errors:?}"
-            );
-        }
-        assert!(singular > 20, "{singular}");
     }
 
     #[test]
