@@ -445,10 +445,11 @@ mod tests {
     use super::*;
     use crate::collocation::ScalarEquations;
     use crate::elements::JointKind;
-    use crate::model::Model;
+    use crate::model::{Model, SectionInput};
     use crate::solve::linear::method::{Linear, LinearMethod};
     use crate::solve::linear::solver::Side;
     use crate::solve::test_models::Linearised;
+    use crate::test_models::parts::{rotation1, spring};
     use crate::test_models::small::{crank_rocker, one_blade};
     use faer::Mat;
     use faer::linalg::solvers::Solve;
@@ -456,6 +457,8 @@ mod tests {
     use std::f64::consts::TAU;
     use std::sync::Arc;
 
+    /// Errors of each number in the equations that a solution may amount to: some ten roundings.
+    const ROUNDING: f64 = 2e-15;
     const METHODS: [LinearMethod; 2] = [LinearMethod::Direct, LinearMethod::Iterative(None)];
 
     /// So many unknowns that have no effect, and no equations: borders are given.
@@ -501,9 +504,67 @@ mod tests {
         }
     }
 
-    /// Error of the solution with borders against that by the dense matrix, relative to motions and
-    /// to all else, and whether factors are those of other equations, which are grounded.
-    fn error(model: &Model, period: f64, count: usize, method: LinearMethod) -> ([f64; 2], bool) {
+    /// `b - A x`, in twice the precision.
+    fn residual(matrix: &Mat<f64>, b: &[f64], x: &[f64]) -> Vec<f64> {
+        let of_row = |i: usize| {
+            let (mut sum, mut lost) = (b[i], 0.0);
+            for (j, x) in x.iter().enumerate() {
+                let term = -matrix[(i, j)] * x;
+                let next = sum + term;
+                let added = next - sum;
+                lost += (sum - (next - added)) + (term - added);
+                lost += (-matrix[(i, j)]).mul_add(*x, -term);
+                sum = next;
+            }
+            sum + lost
+        };
+        (0..b.len()).map(of_row).collect()
+    }
+
+    /// The solution to the last digits, which factors alone do not give; and by how much each
+    /// unknown may change, relative to a change of each number in the equations by itself.
+    fn exact(matrix: &Mat<f64>, b: &[f64]) -> (Vec<f64>, Vec<f64>) {
+        let size = b.len();
+        let factors = matrix.full_piv_lu();
+        let (mut x, mut changed) = (vec![0.0; size], f64::INFINITY);
+        for _ in 0..5 {
+            let rest = residual(matrix, b, &x);
+            let change = factors.solve(&Mat::from_fn(size, 1, |i, _| rest[i]));
+            let change = change.col_as_slice(0);
+            x.iter_mut().zip(change).for_each(|(x, d)| *x += d);
+            changed = largest(change) / largest(&x);
+        }
+        assert!(changed < 1e-15, "{changed:e}");
+        let inverse = factors.solve(&Mat::<f64>::identity(size, size));
+        let sum = |of: &dyn Fn(usize) -> f64| (0..size).map(|j| of(j).abs()).sum::<f64>();
+        let numbers = |i: usize| b[i].abs() + sum(&|j| matrix[(i, j)] * x[j]);
+        let numbers: Vec<f64> = (0..size).map(numbers).collect();
+        let change = |i: usize| sum(&|j| inverse[(i, j)] * numbers[j]);
+        let changes = (0..size).map(change).collect();
+        (x, changes)
+    }
+
+    /// A solution with borders beside that of the dense matrix.
+    #[derive(Debug)]
+    struct Compared {
+        /// Errors of motions and of all else, relative to these; and by factors, of transposed
+        /// equations.
+        errors: Vec<f64>,
+        /// What they may be, relative to errors of each number in the equations.
+        conditions: Vec<f64>,
+        /// Whether factors are those of other equations, which are grounded.
+        grounded: bool,
+    }
+
+    impl Compared {
+        fn add(&mut self, found: &[f64], (exact, changes): (&[f64], &[f64])) {
+            let errors: Vec<f64> = found.iter().zip(exact).map(|(x, y)| x - y).collect();
+            self.errors.push(largest(&errors) / largest(exact));
+            self.conditions.push(largest(changes) / largest(exact));
+        }
+    }
+
+    fn compare(model: &Model, period: f64, count: usize, method: LinearMethod) -> Compared {
         let mut at = Linearised::new(model, period, 5, |i| (0.9 * i as f64).sin());
         at.equations.set_scalars(Arc::new(Given(count)));
         at.state.scalars = vec![0.0; count];
@@ -515,46 +576,39 @@ mod tests {
             (true, false) => borders.columns[j - size][i],
             (false, _) => borders.rows[i - size][j],
         });
-        let rhs: Vec<f64> = (0..all).map(wave(99)).collect();
-        let dense = matrix.full_piv_lu();
-        let exact = dense.solve(&Mat::from_fn(all, 1, |i, _| rhs[i]));
 
         let linear = Linear::new(&at.equations, method);
         let mut bordered = Bordered::new(&at.equations, linear);
         bordered.borders = borders;
         let timings = &mut Timings::default();
         let equations = &mut at.equations;
-        assert!(
-            bordered
-                .factor(equations, &at.state, timings, false)
-                .unwrap()
-        );
-        let mut found = rhs;
-        assert!(
-            bordered
-                .solve(equations, &mut found, 1e-9, timings)
-                .unwrap()
-        );
-        if method == LinearMethod::Direct {
-            let transposed = matrix.transpose().to_owned().full_piv_lu();
-            let wanted = transposed.solve(&Mat::from_fn(all, 1, |i, _| wave(98)(i)));
-            let mut adjoint: Vec<f64> = (0..all).map(wave(98)).collect();
-            let side = Side::Transposed;
-            let solved = bordered.solve_to_rounding(equations, &mut adjoint, side, timings);
-            assert!(solved.unwrap());
-            let errors = adjoint.iter().zip(wanted.col_as_slice(0));
-            let errors: Vec<f64> = errors.map(|(x, y)| x - y).collect();
-            let error = largest(&errors) / largest(&adjoint);
-            assert!(error < 1e-8, "transposed: {error:e}");
-        }
+        let regular = bordered.factor(equations, &at.state, timings, false);
+        assert!(regular.unwrap());
+        let rhs: Vec<f64> = (0..all).map(wave(99)).collect();
+        let mut found = rhs.clone();
+        let solved = bordered.solve(equations, &mut found, 1e-9, timings);
+        assert!(solved.unwrap());
+        let mut compared = Compared {
+            errors: Vec::new(),
+            conditions: Vec::new(),
+            grounded: equations.grounding() > 0.0,
+        };
+        let (wanted, changes) = exact(&matrix, &rhs);
         let motions = equations.layout().motions();
-        let parts = [motions.clone(), motions.end..all].map(|part| {
-            let of = |value: &dyn Fn(usize) -> f64| part.clone().map(value).collect::<Vec<_>>();
-            let error = largest(&of(&|i| found[i] - exact[(i, 0)]));
-            error / largest(&of(&|i| exact[(i, 0)]))
-        });
-        let others = equations.grounding() > 0.0;
-        (parts, others)
+        for part in [motions.clone(), motions.end..all] {
+            let of_exact = (&wanted[part.clone()], &changes[part.clone()]);
+            compared.add(&found[part], of_exact);
+        }
+        if method == LinearMethod::Direct {
+            let rhs: Vec<f64> = (0..all).map(wave(98)).collect();
+            let (wanted, changes) = exact(&matrix.transpose().to_owned(), &rhs);
+            let mut found = rhs;
+            let side = Side::Transposed;
+            let solved = bordered.solve_to_rounding(equations, &mut found, side, timings);
+            assert!(solved.unwrap());
+            compared.add(&found, (&wanted, &changes));
+        }
+        compared
     }
 
     /// A body on a hinge, and one that hangs on it by another: both turn freely.
@@ -579,15 +633,16 @@ mod tests {
         for (model, period) in [one_blade(2), crank_rocker(1, 2, 3.0)] {
             for count in [1, 3] {
                 for method in METHODS {
-                    let (errors, others) = error(&model, period, count, method);
-                    println!("{count} {method:?}: {errors:?} {others}");
+                    let found = compare(&model, period, count, method);
+                    println!("{count} {method:?}: {found:?}");
                     // By factors, rounding of stiff beams; by iteration, a hundred times the
                     // accuracy that was asked for.
                     let most = match method {
-                        LinearMethod::Direct => 1e-8,
+                        LinearMethod::Direct => 1e-9,
                         _ => 1e-7,
                     };
-                    assert!(!others && errors.iter().all(|e| *e < most), "{errors:?}");
+                    assert!(!found.grounded, "{found:?}");
+                    assert!(found.errors.iter().all(|e| *e < most), "{found:?}");
                 }
             }
         }
@@ -598,13 +653,81 @@ mod tests {
         // A body and a chain that turn freely, about one axis and about two.
         for hinges in [1, 2] {
             for method in METHODS {
-                let (errors, others) = error(&free_chain(hinges), TAU, hinges, method);
-                println!("{hinges} {method:?}: {errors:?} {others}");
+                let found = compare(&free_chain(hinges), TAU, hinges, method);
+                println!("{hinges} {method:?}: {found:?}");
                 // Factors of both need no others in place of `J`.
-                assert_eq!(others, method != LinearMethod::Direct);
-                assert!(errors.iter().all(|e| *e < 1e-9), "{errors:?}");
+                assert_eq!(found.grounded, method != LinearMethod::Direct);
+                assert!(found.errors.iter().all(|e| *e < 1e-9), "{found:?}");
             }
         }
+    }
+
+    /// Bodies and beams in a row, on hinges of which some are free: these are counted.
+    fn random_chain(random: &mut impl FnMut() -> f64) -> (Model, usize) {
+        let mut model = Model::new();
+        let (mut before, mut place, mut free) = (None, Vector3::zeros(), 0);
+        let members = 1 + (3.0 * random()) as usize;
+        for _ in 0..members {
+            let axis = Vector3::from_fn(|_, _| random() - 0.5).normalize();
+            let along = Vector3::from_fn(|_, _| random() - 0.5).normalize();
+            let end = place + along;
+            let ends = match random() < 0.5 {
+                true => {
+                    let bending = 10f64.powf(4.0 * random());
+                    let stiffness = [1e2, 4e1, 4e1, 0.8, 1.0, 1.0].map(|x| x * bending);
+                    let section = SectionInput::diagonal(&stiffness, &[1.0, 0.1, 0.1, 0.1]);
+                    let across = along.cross(&axis);
+                    let section = section.unwrap();
+                    let beam = model.add_straight_beam(&place, &end, &across, &section, 1, 2);
+                    let beam = beam.unwrap();
+                    [beam.first_node, beam.last_node]
+                }
+                false => {
+                    let ball = Matrix3::identity() * 0.1;
+                    let centre = (place + end) / 2.0;
+                    [model.add_rigid_body(1.0, &centre, &ball).unwrap(); 2]
+                }
+            };
+            let frame = Model::frame_at("axis", &place, &axis).unwrap();
+            let kind = JointKind::Revolute;
+            let joint = model.add_joint(kind, before, Some(ends[0]), &frame, &frame);
+            match random() < 0.5 {
+                true => free += 1,
+                false => spring(&mut model, rotation1(joint.unwrap()), 1.0 + random(), 0.1),
+            }
+            (before, place) = (Some(ends[1]), end);
+        }
+        (model, free)
+    }
+
+    /// Borders that hold all that is free, and some more.
+    #[test]
+    fn random_equations_have_the_solution_of_the_dense_matrix() {
+        let mut last = 7u64;
+        let mut random = || {
+            last = last
+                .wrapping_mul(6364136223846793005)
+                .wrapping_add(1442695040888963407);
+            (last >> 11) as f64 / (1u64 << 53) as f64
+        };
+        let (mut singular, mut failed) = (0, Vec::new());
+        for case in 0..40 {
+            let (model, free) = random_chain(&mut random);
+            let count = free + (3.0 * random()) as usize;
+            if count == 0 {
+                continue;
+            }
+            singular += usize::from(free > 0);
+            let found = compare(&model, TAU, count, LinearMethod::Direct);
+            println!("{case} {free} {count}: {found:?}");
+            let mut pairs = found.errors.iter().zip(&found.conditions);
+            let accurate = pairs.all(|(error, condition)| *error <= ROUNDING * condition);
+            if found.grounded || !accurate {
+                failed.push((case, found));
+            }
+        }
+        assert!(singular > 20, "{singular}");
+        assert!(failed.is_empty(), "{failed:?}");
     }
 
     #[test]
