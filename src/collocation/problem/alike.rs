@@ -37,6 +37,17 @@ impl Collocation {
         self.leaders.as_ref()
     }
 
+    /// Evaluates velocities and accelerations at a state, of all nodes from these leaders.
+    pub(crate) fn update_kinematics_by(
+        &mut self,
+        leaders: Option<Arc<Leaders>>,
+        state: &GridState,
+    ) {
+        let before = self.set_leaders(leaders);
+        self.update_kinematics(state);
+        self.set_leaders(before);
+    }
+
     /// Writes by how much the scaled equations differ from those that follow from what leads, in a
     /// state in which blades move alike.
     ///
@@ -48,9 +59,7 @@ impl Collocation {
         state: &GridState,
         out: &mut [f64],
     ) -> Result<()> {
-        let before = self.set_leaders(Some(leaders.clone()));
-        self.update_kinematics(state);
-        self.set_leaders(before);
+        self.update_kinematics_by(Some(leaders.clone()), state);
         let (system, layout) = (self.system.clone(), self.layout);
         let looks_at_all = system.calls_functions() || !self.instants.is_gravity_constant();
         let stands_for = |node: usize, k: usize| match looks_at_all {

@@ -57,8 +57,6 @@ pub(crate) struct Bordered<L> {
     /// Whether elimination alone is accurate, as far as is known.
     eliminates: bool,
     workspace: GmresWorkspace,
-    /// A right side.
-    kept: Vec<f64>,
 }
 
 impl<L: LinearSolver> Bordered<L> {
@@ -76,7 +74,6 @@ impl<L: LinearSolver> Bordered<L> {
             determined: true,
             eliminates: false,
             workspace: GmresWorkspace::default(),
-            kept: Vec::new(),
         }
     }
 
@@ -133,10 +130,8 @@ impl<L: LinearSolver> Bordered<L> {
         }
         let regular = self.factor_alone(equations, state, timings, near)?;
         // Iteration may have been given up for factors.
-        Ok(match self.factor_with_borders(equations, state, timings)? {
-            Some(regular) => regular,
-            None => regular,
-        })
+        let factored = self.factor_with_borders(equations, state, timings)?;
+        Ok(factored.unwrap_or(regular))
     }
 
     /// Factors `J` with the borders; none if it is factored without them.
@@ -244,12 +239,13 @@ impl<L: LinearSolver> Bordered<L> {
 }
 
 impl<L: LinearSolver> Bordered<L> {
-    /// Solves by elimination alone. `false`, with the right side as it was, where that leaves a
-    /// small difference of large solutions, as near folds, or `J` is that of other equations.
+    /// Solves by elimination alone, from the right side `wanted` in `rhs`. `false`, with that as it
+    /// was, where that leaves a small difference of large solutions, as near folds, or `J` is that
+    /// of other equations.
     fn eliminate(
         &mut self,
         equations: &mut Collocation,
-        rhs: &mut [f64],
+        (rhs, wanted): (&mut [f64], &[f64]),
         accuracy: f64,
         timings: &mut Timings,
     ) -> Result<bool> {
@@ -259,8 +255,6 @@ impl<L: LinearSolver> Bordered<L> {
         if !self.eliminates || accuracy < SHARPEST / SHARPER && !is_known {
             return Ok(false);
         }
-        self.kept.clear();
-        self.kept.extend_from_slice(rhs);
         let of_grid = &mut rhs[..equations.size()];
         let sharper = (SHARPER * accuracy).max(SHARPEST);
         let solved = is_known || self.inner.solve(equations, of_grid, sharper, timings)?;
@@ -270,23 +264,23 @@ impl<L: LinearSolver> Bordered<L> {
         // Written so that NaN does not serve.
         self.eliminates = solved && before <= CANCELS * largest(&rhs[motions]);
         if !self.eliminates {
-            rhs.copy_from_slice(&self.kept);
+            rhs.copy_from_slice(wanted);
         }
         Ok(self.eliminates)
     }
 
-    /// Solves by elimination, or by iteration around it.
+    /// Solves by elimination, or by iteration around it, from the right side `wanted` in `rhs`.
     fn solve_by_elimination(
         &mut self,
         equations: &mut Collocation,
-        rhs: &mut [f64],
+        (rhs, wanted): (&mut [f64], &[f64]),
         accuracy: f64,
         timings: &mut Timings,
     ) -> Result<bool> {
         if !self.prepare_elimination(equations, SHARPEST, timings)? {
             return Ok(false);
         }
-        if self.eliminate(equations, rhs, accuracy, timings)? {
+        if self.eliminate(equations, (rhs, wanted), accuracy, timings)? {
             return Ok(rhs.iter().all(|x| x.is_finite()));
         }
         self.iterate(equations, rhs, accuracy, timings)
@@ -346,20 +340,20 @@ impl<L: LinearSolver> LinearSolver for Bordered<L> {
         if self.with_borders {
             return self.solve_by_factors(equations, rhs, accuracy, timings);
         }
-        let kept = rhs.to_vec();
+        let wanted = rhs.to_vec();
         let borders = &self.borders;
         let at_once = (self.inner).solve_bordered(equations, borders, rhs, accuracy, timings)?;
         if at_once == Some(true) {
             return Ok(true);
         }
         if at_once.is_some() {
-            rhs.copy_from_slice(&kept);
+            rhs.copy_from_slice(&wanted);
         }
         if !self.inner.factors_borders() {
-            if self.solve_by_elimination(equations, rhs, accuracy, timings)? {
+            if self.solve_by_elimination(equations, (rhs, &wanted), accuracy, timings)? {
                 return Ok(true);
             }
-            rhs.copy_from_slice(&kept);
+            rhs.copy_from_slice(&wanted);
             if at_once.is_none() && self.borders.count() > 0 {
                 // Growth does not tell of each singular matrix.
                 self.inner.insist_on_borders(equations);

@@ -194,9 +194,7 @@ impl<L: LinearSolver> Newton<L> {
 
     /// Evaluates velocities and accelerations at the last solution.
     pub fn update_kinematics(&mut self, state: &GridState) {
-        let before = self.equations.set_leaders(self.alike.clone());
-        self.equations.update_kinematics(state);
-        self.equations.set_leaders(before);
+        (self.equations).update_kinematics_by(self.alike.clone(), state);
     }
 
     /// Counts an evaluation that takes so much for each number at a node and grid point.
