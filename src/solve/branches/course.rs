@@ -7,6 +7,8 @@ use nalgebra::Vector6;
 
 /// Part of the third degree that is taken: where steps turn far, all of it misses as much as none.
 const DAMPED: f64 = 0.5;
+/// What halves a length to rounding.
+const HALVINGS: usize = 53;
 
 /// What follows the tangent `t` at a point: `t σ + a σ² + b σ³`, an increment of the state there.
 #[derive(Debug, Clone)]
@@ -21,8 +23,8 @@ pub(super) struct Course {
 type At<'a> = (&'a GridState, &'a [f64]);
 
 impl Course {
-    /// The cubic that has the points and the tangents of both, but for a part of its third degree;
-    /// of multipliers and internal states, which hardly count, of second degree.
+    /// The cubic that has the points and the tangents of both, `length` apart; of multipliers and
+    /// internal states, which hardly count, of second degree.
     pub fn through((before, first): At, (now, tangent): At, layout: Layout, length: f64) -> Self {
         let mut course = Course {
             second: vec![0.0; tangent.len()],
@@ -57,7 +59,29 @@ impl Course {
         let away = (back + length * tangent) / (length * length);
         let turn = (rate - tangent) / length;
         self.second[i] = 3.0 * away + turn;
-        self.third[i] = DAMPED * (2.0 * away + turn) / length;
+        self.third[i] = (2.0 * away + turn) / length;
+    }
+
+    /// What serves beyond the points.
+    pub fn damped(mut self) -> Self {
+        self.third.iter_mut().for_each(|b| *b *= DAMPED);
+        self
+    }
+
+    /// How far back from the point an unknown is as much larger, no farther than `length`.
+    pub fn back_to(&self, unknown: usize, tangent: &[f64], change: f64, length: f64) -> f64 {
+        let (t, a, b) = (tangent[unknown], self.second[unknown], self.third[unknown]);
+        let beyond = |back: f64| back * (t + back * (a + back * b)) - change;
+        let (mut near, mut far) = (0.0, -length);
+        let rises = beyond(near) > 0.0;
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (near + far);
+            match (beyond(middle) > 0.0) == rises {
+                true => near = middle,
+                false => far = middle,
+            }
+        }
+        near
     }
 
     /// The increment at `length` along the branch.
@@ -74,5 +98,21 @@ impl Course {
         let terms = tangent.iter().zip(more);
         let at = |(t, (a, b)): (&f64, (&f64, &f64))| t + length * (2.0 * a + 3.0 * length * b);
         terms.map(at).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Course;
+
+    #[test]
+    fn a_value_of_an_unknown_is_found_between_the_points() {
+        // x = 2σ + 3σ² + σ³ = -3/8 at σ = -1/2, and at σ = (√3.25 - 2.5)/2 before that.
+        let course = Course {
+            second: vec![0.0, 3.0],
+            third: vec![0.0, 1.0],
+        };
+        let back = course.back_to(1, &[1.0, 2.0], -0.375, 0.45);
+        assert!((back - 0.5 * (3.25f64.sqrt() - 2.5)).abs() < 1e-15);
     }
 }

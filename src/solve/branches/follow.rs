@@ -348,15 +348,7 @@ impl Follow<'_, '_> {
         let Some(bound) = self.bound_beyond(to) else {
             return Ok(None);
         };
-        let (here, there) = (
-            self.walk.parameter(&from.state),
-            self.walk.parameter(&to.state),
-        );
-        let share = ((bound - here) / (there - here)).clamp(0.0, 1.0);
-        let away = self.walk.away(&from.state, &to.state);
-        let system = self.walk.newton.equations.system().clone();
-        let start = from.state.incremented(&system, &away, share);
-        let (state, report) = self.walk.at_parameter(start, bound)?;
+        let (state, report) = self.walk.between(from, to, bound)?;
         if !report.outcome.is_solution() {
             return Ok(Some(Bound(None)));
         }

@@ -183,6 +183,27 @@ impl<'a> Walk<'a> {
         Ok((state, report))
     }
 
+    /// The solution at a value of the parameter between two places, near the second of them.
+    pub fn between(
+        &mut self,
+        from: &Place,
+        to: &Place,
+        value: f64,
+    ) -> Result<(GridState, NewtonReport)> {
+        let free = self.scales.len() - 1;
+        self.set_condition(Arc::new(Given { free, value }), &to.state)?;
+        let (course, arc) = self.course(from, to);
+        let change = value - self.parameter(&to.state);
+        let back = course.back_to(to.tangent.len() - 1, &to.tangent, change, arc);
+        let increment = course.increment(&to.tangent, back);
+        let system = self.newton.equations.system().clone();
+        let mut state = to.state.incremented(&system, &increment, 1.0);
+        state.scalars[free] = value;
+        self.predict_resultants(&increment);
+        let report = self.solve(&mut state, ITERATION_LIMIT)?;
+        Ok((state, report))
+    }
+
     /// The solution that is `length` away from `from` in a direction of motions, where the free
     /// parameters are near `values`.
     pub fn aside(
@@ -262,7 +283,10 @@ impl<'a> Walk<'a> {
             self.newton.equations.apply_scalars(&near.state)?;
             self.newton.equations.update_kinematics(&near.state);
         }
-        self.predict_resultants(&near.tangent, ahead);
+        if ahead != 0.0 {
+            let straight: Vec<f64> = near.tangent.iter().map(|x| ahead * x).collect();
+            self.predict_resultants(&straight);
+        }
         let report = self.solve(&mut state, ITERATION_LIMIT)?;
         if report.outcome != Outcome::Converged {
             self.newton.trusts = false;
@@ -277,19 +301,10 @@ impl<'a> Walk<'a> {
         let error = self.away(&predicted, &state);
         let cosine = self.inner(&tangent, &from.tangent).clamp(-1.0, 1.0);
         let angle = cosine.acos();
-        let course = (length >= self.options.smallest_step).then(|| {
-            // Of an arc, by its chord.
-            let away = self.away(&from.state, &state);
-            let arc = self.length(&away) * (1.0 + angle * angle / 24.0);
-            let layout = self.newton.equations.layout();
-            let before = (&from.state, &from.tangent[..]);
-            Course::through(before, (&state, &tangent), layout, arc)
-        });
-        let to = Place {
-            state,
-            tangent,
-            course,
-        };
+        let mut to = Place::new(state, tangent);
+        if length >= self.options.smallest_step {
+            to.course = Some(self.course(from, &to).0.damped());
+        }
         Ok(Ok(Stepped {
             shown: Shown {
                 angle,
@@ -300,17 +315,27 @@ impl<'a> Walk<'a> {
         }))
     }
 
+    /// The cubic through two places, and how long it is between them.
+    fn course(&self, from: &Place, to: &Place) -> (Course, f64) {
+        // Of an arc, by its chord.
+        let away = self.away(&from.state, &to.state);
+        let cosine = self.inner(&from.tangent, &to.tangent).clamp(-1.0, 1.0);
+        let arc = self.length(&away) * (1.0 + cosine.acos().powi(2) / 24.0);
+        let layout = self.newton.equations.layout();
+        let ends = [from, to].map(|place| (&place.state, &place.tangent[..]));
+        (Course::through(ends[0], ends[1], layout, arc), arc)
+    }
+
     /// Takes the geometric stiffness where a step from the present motions leads at the stress
-    /// resultants that follow from them along the tangent. Those of the strains there are mostly
+    /// resultants that follow from them along an increment. Those of the strains there are mostly
     /// what beams and shells that turn stretch by terms of higher order.
-    fn predict_resultants(&mut self, tangent: &[f64], length: f64) {
+    fn predict_resultants(&mut self, increment: &[f64]) {
         let equations = &mut self.newton.equations;
-        if length == 0.0 || !equations.has_stations() {
+        if !equations.has_stations() {
             return;
         }
-        let increment: Vec<f64> = tangent.iter().map(|x| x * length).collect();
         // Where they cannot be found, as where elements are too distorted, those of strains serve.
-        if let Ok(resultants) = equations.extrapolated_resultants(&increment) {
+        if let Ok(resultants) = equations.extrapolated_resultants(increment) {
             equations.set_resultants(resultants);
         }
     }
