@@ -46,7 +46,7 @@ impl<'a> NodeResampling<'a> {
         }
     }
 
-    /// Writes the states of one node.
+    /// Writes the states of one node, at so many times as there is room for, from the first on.
     fn resample(&mut self, state: &GridState, node: usize, out: &mut [NodeState]) -> Result<()> {
         self.motion.set(state.node(node));
         self.motion
@@ -95,7 +95,11 @@ impl ResampledNodes {
             || NodeResampling::new(resampling, &slopes),
             |resampling, node, out| match leaders {
                 Some(leaders) if !leaders.leads(node) => Ok(()),
-                _ => resampling.resample(state, node, out),
+                Some(leaders) => {
+                    let told = leaders.points_of(node, points);
+                    resampling.resample(state, node, &mut out[..told])
+                }
+                None => resampling.resample(state, node, out),
             },
         )?;
         if let Some(leaders) = leaders {

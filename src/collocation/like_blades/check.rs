@@ -185,8 +185,9 @@ fn carries(
 struct Acting {
     role: ElementRole,
     nodes: Vec<usize>,
-    /// Forces on the nodes, scaled.
+    /// Forces on the nodes, scaled, at every so manieth grid point.
     forces: Vec<DVector<f64>>,
+    step: usize,
 }
 
 /// What all elements do.
@@ -228,15 +229,22 @@ impl All {
                     role: placed.role,
                     nodes: nodes.to_vec(),
                     forces: vec![DVector::zeros(6 * nodes.len()); points],
+                    step: POINTS,
                 });
             }
             let mut own = Vec::new();
             // What no signals act on tells as much at one point of each part of the period.
             let step = match placed.role {
-                ElementRole::Beam(_) | ElementRole::Shell(_) if is_plain && !has_own => POINTS,
+                ElementRole::Inertia | ElementRole::Beam(_) | ElementRole::Shell(_)
+                    if is_plain && !has_own =>
+                {
+                    POINTS
+                }
                 _ => 1,
             };
-            let forces = all.acting[place].forces.iter_mut().enumerate();
+            let acting = &mut all.acting[place];
+            acting.step = acting.step.min(step);
+            let forces = acting.forces.iter_mut().enumerate();
             for (k, sum) in forces.step_by(step) {
                 let out = (equations.instants).evaluate(placed, k, state, &mut workspace)?;
                 for (i, (sum, x)) in sum.iter_mut().zip(&out.force).enumerate() {
@@ -290,13 +298,16 @@ impl Acting {
             role,
             nodes,
             forces,
+            ..
         } = self;
         let (points, later) = (forces.len(), later(symmetry));
-        for k in 0..points {
+        let carries: Vec<_> = (nodes.iter())
+            .map(|&node| scaled_adjoint(&symmetry.carries[node], length))
+            .collect();
+        for k in (0..points).step_by(self.step) {
             let there = &forces[(k + points / symmetry.blades) % points];
             let mut off = 0.0f64;
-            for (local, &node) in nodes.iter().enumerate() {
-                let carry = scaled_adjoint(&symmetry.carries[node], length);
+            for (local, carry) in carries.iter().enumerate() {
                 let carried = carry.tr_mul(&there.fixed_rows::<6>(6 * local));
                 let here = image.map_or(Vector6::zeros(), |image| {
                     image.forces[k].fixed_rows::<6>(6 * local).into_owned()

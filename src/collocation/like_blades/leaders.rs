@@ -16,7 +16,8 @@ pub struct Leaders {
     of_elements: Vec<usize>,
     /// Of each node: for each part of the period what carries twists from the leader, if anything.
     carries: Vec<Vec<Option<Carried>>>,
-    /// Of each node: whether all that acts on it there is a matter of motions alone.
+    /// Of each element: whether it acts within one blade, or on hub and supports alone, and what it
+    /// does is a matter of motions alone.
     by_motions: Vec<bool>,
     /// Of each element with own unknowns whose equations are known from those of its leader: for
     /// each part of the period what carries these there; none where they are the same.
@@ -58,8 +59,7 @@ impl Leaders {
             });
             carried.collect()
         });
-        let mut by_motions = vec![true; left.nodes.len()];
-        for placed in system.elements() {
+        let by_motions = system.elements().iter().map(|placed| {
             let is_by_motions = match placed.role {
                 ElementRole::Inertia | ElementRole::Beam(_) | ElementRole::Shell(_) => {
                     placed.element.own_unknowns() == 0
@@ -67,13 +67,16 @@ impl Leaders {
                 ElementRole::MassDamping => true,
                 _ => false,
             };
-            for &node in placed.element.nodes() {
-                by_motions[node] &= is_by_motions;
-            }
-        }
+            let nodes = placed.element.nodes();
+            let blades = nodes.iter().map(|&node| left.blade(node));
+            is_by_motions
+                && nodes
+                    .first()
+                    .is_some_and(|&first| blades.eq(nodes.iter().map(|_| left.blade(first))))
+        });
         Leaders {
             own,
-            by_motions,
+            by_motions: by_motions.collect(),
             of_elements,
             carries: carries.collect(),
             left: left.clone(),
@@ -100,18 +103,24 @@ impl Leaders {
         self.left.nodes[node].leader == node
     }
 
-    /// How many grid points one stands for where it is to be seen whether forces on a node are
-    /// those that follow from its leader: none if it is not looked at. Where these are a matter of
-    /// motions alone, and of constant gravity, each blade that follows is looked at at its share of
-    /// the points.
+    /// Whether what an element does is a matter of motions alone, and of constant gravity, of one
+    /// blade or of hub and supports.
+    pub fn is_by_motions(&self, element: usize) -> bool {
+        self.by_motions[element]
+    }
+
+    /// How many grid points one stands for where it is to be seen whether such elements do to a
+    /// node what follows from its leader: none if it is not looked at. What tells blades apart
+    /// there shows wherever they move: each is looked at where its leader is at every `B − 1`-th
+    /// point, hub and supports in their second part of the period.
     pub fn stands_for(&self, node: usize, k: usize) -> usize {
-        let blade = self.left.nodes[node].parts[0].0;
         let followers = self.left.blades - 1;
-        match blade == 0 || !self.by_motions[node] {
-            true => 1,
-            false if k % followers == blade - 1 => followers,
-            false => 0,
-        }
+        let (_, from, _) = self.before(node, k);
+        let is_seen = match self.left.blade(node) {
+            None => k < 2 * self.left.part,
+            Some(_) => from % followers == 0,
+        };
+        if is_seen { followers } else { 0 }
     }
 
     /// Whether a node leads, and not only follows itself, at a grid point.
@@ -190,6 +199,23 @@ impl Leaders {
         });
     }
 
+    /// Of so many grid points, or times as far from each other, those at which a node leads: from
+    /// the first on.
+    pub fn points_of(&self, node: usize, points: usize) -> usize {
+        match (self.leads(node), self.left.blade(node)) {
+            (false, _) => 0,
+            (true, None) => points / self.left.blades,
+            (true, Some(_)) => points,
+        }
+    }
+
+    /// Whether the equations of own unknowns of all elements are known from those of their leaders.
+    pub(in crate::collocation) fn knows_own(&self, system: &System) -> bool {
+        let all = self.own.iter().zip(system.elements());
+        all.into_iter()
+            .all(|(own, placed)| own.is_some() || placed.element.own_unknowns() == 0)
+    }
+
     /// Writes the states of other nodes from those of nodes that lead: node `a` at time `k` of the
     /// grid, or as long after its points, at `a N + k`.
     pub(in crate::collocation) fn repeat_states(&self, states: &mut [NodeState]) {
@@ -204,11 +230,14 @@ impl Leaders {
     fn repeat<T: Copy>(&self, all: &mut [T], carry: impl Fn(&Carried, T) -> T) {
         let points = self.left.blades * self.left.part;
         for node in 0..self.left.nodes.len() {
-            if self.leads(node) {
+            if self.leads(node) && self.left.blade(node).is_some() {
                 continue;
             }
             for k in 0..points {
                 let (leader, from, carried) = self.before(node, k);
+                if (leader, from) == (node, k) {
+                    continue;
+                }
                 let there = all[leader * points + from];
                 all[node * points + k] = carried.map_or(there, |carried| carry(carried, there));
             }

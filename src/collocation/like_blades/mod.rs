@@ -142,6 +142,14 @@ impl LikeBlades {
         }
     }
 
+    /// The blade of a node, from that which leads on; none of hub and supports.
+    pub fn blade(&self, node: usize) -> Option<usize> {
+        match &self.nodes[node].parts[..] {
+            [(first, _), (second, _), ..] if first != second => Some(*first),
+            _ => None,
+        }
+    }
+
     /// Those of equations that are sampled on an even grid of as many points for each blade; none
     /// of others, or if blades are not alike.
     pub fn of(equations: &Collocation) -> Option<Self> {
@@ -395,7 +403,7 @@ fn carried(
 /// What follows what, from the image of each, `blades` times in a period. `carry` is asked for what
 /// carries the unknowns of a leader along a chain of images, after they were carried back so many
 /// times from its own image.
-fn followers<T>(
+fn followers<T: Clone>(
     images: &[usize],
     blades: usize,
     carry: impl Fn(&[usize], (usize, usize)) -> Option<T>,
@@ -411,15 +419,15 @@ fn followers<T>(
             if shift > 0 && at == leader {
                 break;
             }
-            let parts = (0..blades).map(|q| match images[leader] == leader {
+            let parts = match images[leader] == leader {
                 // Its own image: all parts are the first one, carried back.
-                true => (0, carry(&[], (leader, q))),
+                true => (0..blades).map(|q| (0, carry(&[], (leader, q)))).collect(),
                 false => {
-                    let part = (q + shift) % blades;
-                    (part, carry(&chain, (leader, 0)))
+                    let carried = carry(&chain, (leader, 0));
+                    let part = |q: usize| ((q + shift) % blades, carried.clone());
+                    (0..blades).map(part).collect()
                 }
-            });
-            let parts = parts.collect();
+            };
             found[at] = Some(Follower { leader, parts });
             chain.push(at);
             at = images[at];

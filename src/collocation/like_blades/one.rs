@@ -151,6 +151,44 @@ impl OneBlade {
         own
     }
 
+    /// Tells the equations of the whole what its last linearisation found left of them.
+    pub fn tell_residual(&self, whole: &mut Collocation) {
+        let (here, layout) = (&self.equations, self.equations.layout());
+        let mut rows = here.linearised_residual.clone();
+        let (system, of_whole) = (whole.system().clone(), whole.layout());
+        whole.linearised_residual.clear();
+        let (Some(alike), true) = (here.alike(), rows.len() == here.size()) else {
+            return;
+        };
+        // Forces of all blades on hub and supports are so many times their mean.
+        let blades = alike.blades() as f64;
+        let motions = layout.motions();
+        let scaled = rows[motions.clone()].iter_mut().zip(here.row_scale());
+        scaled.for_each(|(row, scale)| *row *= scale);
+        alike.average(layout, &mut rows);
+        let unscaled = rows[motions].iter_mut().zip(here.row_scale());
+        unscaled.for_each(|(row, scale)| *row /= scale);
+        let mut all = vec![0.0; whole.size()];
+        for (i, &node) in self.nodes.iter().enumerate() {
+            let factor = alike.of_node(i).map_or(1.0, |_| blades);
+            let to = all[of_whole.node(node)].iter_mut();
+            let from = &rows[layout.node(i)];
+            to.zip(from).for_each(|(to, x)| *to = factor * x);
+        }
+        let placed = here.system().elements().iter();
+        for ((i, placed), &index) in placed.enumerate().zip(&self.elements) {
+            let factor = match self.is_shared[i] && placed.has_states {
+                true => blades,
+                false => 1.0,
+            };
+            let to = all[of_whole.element(&system.elements()[index])].iter_mut();
+            let from = &rows[layout.element(placed)];
+            to.zip(from).for_each(|(to, x)| *to = factor * x);
+        }
+        whole.linearised_residual = all;
+        whole.complete_linearised_residual();
+    }
+
     /// Right sides of its equations, from those that are left.
     pub fn rows(&self, left: &LikeBlades, rows: &[f64]) -> Vec<f64> {
         let (system, layout) = (self.equations.system(), self.equations.layout());

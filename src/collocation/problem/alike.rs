@@ -26,6 +26,21 @@ impl Collocation {
         alike.map_or((points, 1.0), |alike| alike.told(nodes, points))
     }
 
+    /// Writes what the last linearisation found left of the equations of the whole, not scaled, of
+    /// which what leads is there; forgets it where all else does not follow.
+    pub(crate) fn complete_linearised_residual(&mut self) {
+        let mut rows = std::mem::take(&mut self.linearised_residual);
+        let Some(leaders) = self.leaders.clone().filter(|l| l.knows_own(&self.system)) else {
+            return;
+        };
+        if rows.len() == self.size() {
+            let (layout, elements) = (self.layout, self.system.elements());
+            leaders.repeat_forces(|node, k| layout.motion(node, k).start, &mut rows);
+            leaders.repeat_own(|e, k| layout.element_at(&elements[e], k).start, &mut rows);
+            self.linearised_residual = rows;
+        }
+    }
+
     /// From now on takes states for alike at all blades: residuals are found from what leads. Gives
     /// what was said before.
     pub(crate) fn set_leaders(&mut self, leaders: Option<Arc<Leaders>>) -> Option<Arc<Leaders>> {
@@ -51,8 +66,8 @@ impl Collocation {
     /// Writes by how much the scaled equations differ from those that follow from what leads, in a
     /// state in which blades move alike.
     ///
-    /// Where nothing but their motions acts on followers, what tells them apart shows at some times
-    /// as it does at others: each is looked at at its share of the grid points there.
+    /// Of what is a matter of motions alone, what tells followers apart shows at some times as it
+    /// does at others: each is looked at at its share of the grid points there.
     pub(crate) fn unlike(
         &mut self,
         leaders: &Arc<Leaders>,
@@ -62,31 +77,35 @@ impl Collocation {
         self.update_kinematics_by(Some(leaders.clone()), state);
         let (system, layout) = (self.system.clone(), self.layout);
         let looks_at_all = system.calls_functions() || !self.instants.is_gravity_constant();
-        let stands_for = |node: usize, k: usize| match looks_at_all {
-            true => 1,
-            false => leaders.stands_for(node, k),
-        };
-        let mut rows = vec![0.0; self.size()];
-        self.forces_where(state, &mut rows, &|element, k| {
-            let element = &system.elements()[element].element;
-            let mut nodes = element.nodes().iter();
-            element.own_unknowns() > 0 || nodes.any(|&node| stands_for(node, k) > 0)
-        })?;
-        let elements = system.elements();
+        let is_by_motions = |element: usize| !looks_at_all && leaders.is_by_motions(element);
+        let (elements, size) = (system.elements(), self.size());
+        let place = |node: usize, k: usize| layout.motion(node, k).start;
+        let (mut rows, mut alike) = (vec![0.0; size], vec![0.0; size]);
+        self.forces_where(state, &mut rows, &|element, _| !is_by_motions(element))?;
+        alike.copy_from_slice(&rows);
+        leaders.repeat_forces(place, &mut alike);
+        leaders.repeat_own(|e, k| layout.element_at(&elements[e], k).start, &mut alike);
         out.fill(0.0);
-        let out = &mut out[..rows.len()];
-        out.copy_from_slice(&rows);
-        leaders.repeat_forces(|node, k| layout.motion(node, k).start, out);
-        leaders.repeat_own(|e, k| layout.element_at(&elements[e], k).start, out);
-        let all = out.iter_mut().zip(&rows).zip(&self.row_scale);
-        all.for_each(|((out, row), scale)| *out = (row - *out) * scale);
-        for node in 0..system.nodes() {
-            for k in 0..layout.points() {
-                let count = stands_for(node, k) as f64;
-                let rows = &mut out[layout.motion(node, k)];
-                rows.iter_mut().for_each(|row| *row *= count);
+        let all = out.iter_mut().zip(&rows).zip(&alike);
+        all.for_each(|((out, row), alike)| *out = row - alike);
+        if !looks_at_all {
+            self.forces_where(state, &mut rows, &|element, k| {
+                let mut nodes = elements[element].element.nodes().iter();
+                is_by_motions(element) && nodes.any(|&node| leaders.stands_for(node, k) > 0)
+            })?;
+            alike.copy_from_slice(&rows);
+            leaders.repeat_forces(place, &mut alike);
+            for node in 0..system.nodes() {
+                for k in 0..layout.points() {
+                    let count = leaders.stands_for(node, k) as f64;
+                    for i in layout.motion(node, k) {
+                        out[i] += count * (rows[i] - alike[i]);
+                    }
+                }
             }
         }
+        let scaled = out.iter_mut().zip(&self.row_scale);
+        scaled.for_each(|(out, scale)| *out *= scale);
         Ok(())
     }
 

@@ -383,15 +383,6 @@ impl Tangent {
             },
             |workspace, i, part| layout.evaluate(&at, &division.shares[i], workspace, part),
         )?;
-        // What is left is known only if all of it was evaluated.
-        residual.resize(
-            if self.wanted.is_empty() {
-                residual.len()
-            } else {
-                0
-            },
-            0.0,
-        );
         equations.linearised_residual = residual;
         self.ground(equations);
         Ok(())

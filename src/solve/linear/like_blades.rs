@@ -92,6 +92,7 @@ impl Factors {
             let evaluated = self.tangent.evaluate(equations, state);
             equations.set_leaders(leaders);
             evaluated?;
+            equations.complete_linearised_residual();
             let pattern = &self.pattern;
             (self.tangent).assemble_like_blades(equations, left, pattern, &mut self.values)
         })?;
@@ -292,8 +293,7 @@ impl LinearSolver for OfLikeBlades {
                 By::Iteration(_) if equations.grounding() != 0.0 || equations.is_regularised() => {}
                 By::Iteration(iteration) => {
                     if iteration.linearise(equations, &self.left, state, timings)? {
-                        // Of the whole, what is left is not known yet.
-                        equations.forget_linearised_residual();
+                        iteration.blade.tell_residual(equations);
                         return Ok(true);
                     }
                 }
