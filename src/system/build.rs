@@ -10,7 +10,7 @@ use crate::elements::{
 use crate::error::{Error, ErrorKind, Result, require_positive_number};
 use crate::model::{
     BoundSignal, ForceDefinition, JointCoordinate, JointDefinition, LoadPoint, Model, Parameter,
-    Signal,
+    RotorSymmetry, Signal,
 };
 use crate::workers::no_threads_unasked;
 use std::collections::BTreeMap;
@@ -132,7 +132,8 @@ impl<'a> Builder<'a> {
         // Of inertias, beams and joints, which give it; forces only need its order.
         let length = match like {
             Some(like) => like.scales.length,
-            None => Scales::of(&self.system)?.length,
+            None if self.system.extent() > 0.0 => self.system.extent(),
+            None => Scales::of(&self.system, &[])?.length,
         };
         for (index, force) in self.model.forces.iter().enumerate() {
             let element = self.force(index, force, length)?;
@@ -153,7 +154,11 @@ impl<'a> Builder<'a> {
             system.symmetry.clone_from(&like.symmetry);
             return Ok(system);
         }
-        system.scales = Scales::of(&system)?;
+        let rotor = match system.regime {
+            Regime::Periodic(_) => self.model.rotor_symmetry(),
+            _ => None,
+        };
+        system.scales = Scales::of(&system, rotor.map_or(&[], RotorSymmetry::blades))?;
         let Scales { length, force, .. } = system.scales;
         if !(length.is_finite() && force.is_finite() && force * length < f64::MAX) {
             return Err(Error::new(
@@ -163,7 +168,7 @@ impl<'a> Builder<'a> {
         }
         system.find_dependencies()?;
         system.lacks_functions = lacks_functions;
-        if let (Regime::Periodic(_), Some(rotor)) = (system.regime, self.model.rotor_symmetry()) {
+        if let Some(rotor) = rotor {
             system.symmetry = Some(Arc::new(Symmetry::new(&system, rotor)?));
         }
         Ok(system)

@@ -39,8 +39,13 @@ impl Scales {
         linear.max(v.fixed_rows::<3>(3).amax())
     }
 
-    /// Scales of `system`.
-    pub(super) fn of(system: &System) -> Result<Self> {
+    /// Scales of `system`. Of `blades` that are said to be alike, given by their nodes, the first
+    /// tells.
+    pub(super) fn of(system: &System, blades: &[Vec<usize>]) -> Result<Self> {
+        let mut blade_of = vec![None; system.nodes()];
+        for (j, nodes) in blades.iter().enumerate() {
+            nodes.iter().for_each(|&node| blade_of[node] = Some(j));
+        }
         let mut signals = vec![0.0; system.signals()];
         if system.standstill().is_some() {
             system.signal_values(0.0, 1.0, &mut signals)?;
@@ -51,6 +56,12 @@ impl Scales {
         let (mut linear, mut angular) = (0.0f64, 0.0f64);
         let (mut load_force, mut load_moment) = (0.0f64, 0.0f64);
         for placed in system.elements() {
+            let nodes = placed.element.nodes().iter();
+            let stands_for = match nodes.filter_map(|&node| blade_of[node]).max() {
+                None => 1.0,
+                Some(0) => blades.len() as f64,
+                Some(_) => continue,
+            };
             let out = system.evaluate_relaxed(placed, at_rest, &signals, &mut workspace)?;
             let nodes = placed.element.nodes().len();
             for a in 0..nodes {
@@ -71,7 +82,7 @@ impl Scales {
                         .filter_map(|b| out.place(a, b))
                         .map(|(row, column)| out.mass[(row + k, column + k)])
                         .sum::<f64>()
-                        / 3.0;
+                        * (stands_for / 3.0);
                 }
             }
         }
