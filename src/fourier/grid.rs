@@ -38,6 +38,15 @@ impl TimeGrid {
         })
     }
 
+    /// So many of the points, as a grid of the part of the period that they cover.
+    pub(crate) fn part(&self, points: usize) -> Self {
+        TimeGrid {
+            points,
+            period: self.period * points as f64 / self.points as f64,
+            map: self.map,
+        }
+    }
+
     /// The same number of points, equispaced in the pseudo-time of a map.
     pub fn mapped(self, map: TimeMap) -> Self {
         TimeGrid { map, ..self }

@@ -184,7 +184,8 @@ impl NodeKinematics {
     }
 
     /// `Δv_ℓ = Σ_k Γ_v Δu_k` and `Δv̇_ℓ = Σ_k Γ_a Δu_k` for `increments` of all grid points, six
-    /// numbers each, by the operators themselves: with them as fast as `D` and `T` are applied.
+    /// numbers each, by the operators themselves: with them as fast as `D` and `T` are applied. Of
+    /// what repeats itself, for those of a part of the period, by the operators of that.
     ///
     /// `ΔM = M Δũ`, so that `ΔA = −Δũ A + Mᵀ (D ΔM)` and `ΔB = −Δũ B + Mᵀ (T ΔM)`. Of these, only
     /// axial parts, the trace of `ΔA` and `ΔA v` are needed: twice the axial part of `ṽ ΔA` is
@@ -197,7 +198,7 @@ impl NodeKinematics {
         rates: &mut [[Vector6<f64>; 2]],
     ) {
         let series = &mut scratch.series;
-        series.resize(self.motions.len());
+        series.resize(rates.len());
         let twist = |u: &[f64]| DualVector::from_twist(&Vector6::from_column_slice(u));
         let increments = increments.chunks_exact(6);
         for (k, u) in increments.clone().enumerate() {

@@ -78,7 +78,8 @@ pub trait TimeRule: CloneRule + Debug + Send + Sync {
         false
     }
 
-    /// Writes `Γ_v Δu` and `Γ_a Δu` of a node, for increments of six numbers at each grid point.
+    /// Writes `Γ_v Δu` and `Γ_a Δu` of a node, for increments of six numbers at each grid point; on
+    /// a grid that is even, at those of a part of the period after which all repeats itself.
     fn vary(
         &self,
         node: usize,
@@ -168,6 +169,8 @@ pub fn over(grid: TimeGrid, nodes: usize) -> Box<dyn TimeRule> {
 #[derive(Debug, Default)]
 pub struct RuleWorkspace {
     operators: Option<Differentiation>,
+    /// Of a part of the period.
+    of_part: Option<Differentiation>,
     variation: KinematicsScratch,
     samples: Vec<f64>,
     by_rates: Vec<[Vector6<f64>; 2]>,

@@ -53,6 +53,18 @@ impl RuleWorkspace {
         let operators = self.operators.insert(own.unwrap_or_else(|| like.clone()));
         (operators, &mut self.variation, &mut self.samples)
     }
+
+    /// The same for so many of their points, the period of what repeats itself after these.
+    fn of_part(
+        &mut self,
+        like: &Differentiation,
+        points: usize,
+    ) -> (&mut Differentiation, &mut KinematicsScratch) {
+        let grid = like.grid().part(points);
+        let own = self.of_part.take().filter(|own| own.grid() == grid);
+        let operators = (self.of_part).insert(own.unwrap_or_else(|| Differentiation::new(grid)));
+        (operators, &mut self.variation)
+    }
 }
 
 impl TimeRule for Spectral {
@@ -119,7 +131,13 @@ impl TimeRule for Spectral {
         workspace: &mut RuleWorkspace,
         rates: &mut [[Vector6<f64>; 2]],
     ) {
-        let (operators, variation, _) = workspace.of(&self.operators);
+        let (operators, variation) = match rates.len() == self.operators.grid().points() {
+            true => {
+                let (operators, variation, _) = workspace.of(&self.operators);
+                (operators, variation)
+            }
+            false => workspace.of_part(&self.operators, rates.len()),
+        };
         self.nodes[node].variation(operators, increments, variation, rates);
     }
 

@@ -189,7 +189,7 @@ impl Assembly<'_> {
     /// and `K` on the diagonal in time.
     fn write_moving(&self, pair: usize, scratch: &mut Scratch, values: &mut [f64]) {
         let (tangent, points) = (self.tangent, self.tangent.points);
-        let at = pair * points..(pair + 1) * points;
+        let at = tangent.layout.coupling_at.of(pair);
         let Scratch { gammas, whole } = scratch;
         let [mut stiffness, mut damping, mass] =
             tangent.pairs.each_ref().map(|list| &list[at.clone()]);

@@ -45,14 +45,18 @@ impl TangentLayout {
             for k in 0..wanted.min(repeats) {
                 let out = at.instants.evaluate(placed, k, at.state, workspace)?;
                 for k in (k..points).step_by(repeats) {
-                    let at = (k, points);
-                    self.add_pairs((index, nodes, out), counts, at, share, &mut part.pairs);
-                    share.add_forces(out, nodes, at, part.forces);
+                    self.add_pairs((index, nodes, out), counts, k, share, &mut part.pairs);
+                    share.add_forces(out, nodes, (k, points), part.forces);
                     let Some(((strains, own), asked)) = own else {
                         continue;
                     };
-                    for (s, strain) in out.strains.iter().enumerate() {
-                        strains[s * points + k] = *strain;
+                    let places = &self.places[index].strains;
+                    let begins = self.strain_at.of_all(places.clone()).start;
+                    for (strain, place) in out.strains.iter().zip(places.clone()) {
+                        let at = self.strain_at.of(place);
+                        if k < at.len() {
+                            strains[at.start - begins + k] = *strain;
+                        }
                     }
                     let count = out.constraint.len();
                     asked[count * k..][..count].copy_from_slice(out.constraint.as_slice());
@@ -69,11 +73,12 @@ impl TangentLayout {
         &self,
         (index, nodes, out): (usize, &[usize], &Contribution),
         [is_elastic, has_damping, has_mass]: [bool; 3],
-        (k, points): (usize, usize),
+        k: usize,
         share: &Share,
         pairs: &mut [&mut [Matrix6<f64>]; 3],
     ) {
-        let first = self.couplings.of_columns(share.nodes.clone()).start;
+        let columns = self.couplings.of_columns(share.nodes.clone());
+        let base = self.coupling_at.of_all(columns).start;
         let blocks = [
             (&out.stiffness, is_elastic),
             (&out.damping, has_damping),
@@ -81,11 +86,12 @@ impl TangentLayout {
         ];
         for &((a, b), coupling, begins) in &self.places[index].couplings {
             let Some(at) = out.place(a, b) else { continue };
-            if !share.nodes.contains(&nodes[b]) {
+            let told = self.coupling_at.of(coupling);
+            if !share.nodes.contains(&nodes[b]) || k >= told.len() {
                 continue;
             }
             for (sums, (all, counts)) in pairs.iter_mut().zip(blocks) {
-                let sum = &mut sums[(coupling - first) * points + k];
+                let sum = &mut sums[told.start - base + k];
                 let block = all.fixed_view::<6, 6>(at.0, at.1);
                 match (begins, counts) {
                     (true, true) => sum.copy_from(&block),

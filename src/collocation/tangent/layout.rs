@@ -5,6 +5,40 @@ use crate::elements::StressLaw;
 use crate::system::System;
 use std::ops::Range;
 
+/// Where what belongs to one thing after the other begins, at one grid point after the other: at as
+/// many as tell it.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Told {
+    first: Vec<usize>,
+}
+
+impl Told {
+    fn new(counts: impl Iterator<Item = usize>) -> Self {
+        let mut told = Told { first: vec![0] };
+        let mut end = 0;
+        told.first.extend(counts.map(|count| {
+            end += count;
+            end
+        }));
+        told
+    }
+
+    /// Where a thing is, at the grid points that tell it.
+    pub fn of(&self, thing: usize) -> Range<usize> {
+        self.of_all(thing..thing + 1)
+    }
+
+    /// The same of several.
+    pub fn of_all(&self, things: Range<usize>) -> Range<usize> {
+        self.first[things.start]..self.first[things.end]
+    }
+
+    /// How much all are.
+    pub fn total(&self) -> usize {
+        self.first.last().copied().unwrap_or(0)
+    }
+}
+
 /// Where an element's tangents go.
 #[derive(Debug, Clone)]
 pub(super) struct ElementPlace {
@@ -47,6 +81,10 @@ pub(super) struct TangentLayout {
     pub stations: Vec<Station>,
     /// Strain tangents at a grid point.
     pub strains: usize,
+    /// Where couplings, strain tangents and stations are over the grid.
+    pub coupling_at: Told,
+    pub strain_at: Told,
+    pub station_at: Told,
     /// Of each node: the stations whose resultants act on it, and its strain tangents there.
     pub acting: Vec<Vec<(usize, usize)>>,
     /// Of each coupling: the stations that it is a part of, and the strain tangents of its row and
@@ -55,8 +93,9 @@ pub(super) struct TangentLayout {
 }
 
 impl TangentLayout {
-    /// That of a system, with stress resultants apart or not.
-    pub fn new(system: &System, resultants_apart: bool) -> Self {
+    /// That of a system, with stress resultants apart or not; `told` says at how many grid points,
+    /// from the first on, what acts between nodes is told.
+    pub fn new(system: &System, resultants_apart: bool, told: &dyn Fn(&[usize]) -> usize) -> Self {
         let couplings = Couplings::new(system);
         let count = couplings.all().len();
         let mut layout = TangentLayout {
@@ -64,6 +103,9 @@ impl TangentLayout {
             places: Vec::new(),
             stations: Vec::new(),
             strains: 0,
+            coupling_at: Told::default(),
+            strain_at: Told::default(),
+            station_at: Told::default(),
             acting: vec![Vec::new(); system.nodes()],
             within: vec![Vec::new(); count],
         };
@@ -97,6 +139,14 @@ impl TangentLayout {
                 strains: first..layout.strains,
             });
         }
+        let couplings = layout.couplings.all().iter();
+        layout.coupling_at = Told::new(couplings.map(|c| told(&[c.row, c.column])));
+        let stations = layout.stations.iter();
+        let counts = stations.map(|station| (station.nodes.len(), told(&station.nodes)));
+        let counts: Vec<_> = counts.collect();
+        layout.station_at = Told::new(counts.iter().map(|&(_, told)| told));
+        let of_strains = |&(nodes, told): &(usize, usize)| std::iter::repeat_n(told, nodes);
+        layout.strain_at = Told::new(counts.iter().flat_map(of_strains));
         layout
     }
 

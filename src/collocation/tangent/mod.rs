@@ -40,6 +40,7 @@ use crate::system::{Layout, System, Workspace};
 use crate::workers::{Workers, parts};
 use layout::TangentLayout;
 use nalgebra::{Matrix6, Vector6};
+use std::ops::Range;
 
 /// `∂force/∂u`, `∂force/∂V` and `∂force/∂V̇` of one coupling at one grid point, without the part of
 /// stress resultants that are kept apart.
@@ -105,13 +106,13 @@ pub struct Tangent {
     wanted: Vec<usize>,
     /// Whether all grid points are the same.
     is_constant: bool,
-    /// `K`, `C` and `M` of coupling `c` at grid point `k`, at `c N + k`.
+    /// `K`, `C` and `M` of one coupling after the other, at one grid point after the other.
     pairs: [Vec<Matrix6<f64>>; 3],
     /// Of each element.
     own: Vec<OwnTangent>,
-    /// Strain tangent `s` at grid point `k`, at `s N + k`.
+    /// One strain tangent after the other, likewise.
     strains: Vec<StrainTangent>,
-    /// Stress resultants of station `s` at grid point `k`, at `s N + k`, that act on the nodes in a
+    /// Stress resultants of one station after the other, likewise, that act on the nodes in a
     /// product.
     stresses: Vec<DualVector>,
     /// Size of the resultants' unknowns.
@@ -154,7 +155,8 @@ struct Evaluation<'a> {
 impl Tangent {
     /// For a system on a grid of so many points.
     pub fn new(system: &System, points: usize) -> Self {
-        Self::with(TangentLayout::new(system, false), system.layout(points))
+        let layout = TangentLayout::new(system, false, &|_| points);
+        Self::with(layout, system.layout(points))
     }
 
     /// The same with each element at so many grid points only, from the first on.
@@ -167,9 +169,20 @@ impl Tangent {
 
     /// The same with stress resultants apart.
     pub fn with_resultants_apart(system: &System, points: usize) -> Self {
+        Self::apart(system, points, &|_| points)
+    }
+
+    /// The same of equations, of which part of the period may tell what acts between some nodes.
+    pub fn of_iteration(equations: &Collocation) -> Self {
+        let points = equations.grid().points();
+        Self::apart(equations.system(), points, &|nodes| equations.told(nodes).0)
+    }
+
+    fn apart(system: &System, points: usize, told: &dyn Fn(&[usize]) -> usize) -> Self {
+        let layout = TangentLayout::new(system, true, told);
         Tangent {
             keeps_rule: true,
-            ..Self::with(TangentLayout::new(system, true), system.layout(points))
+            ..Self::with(layout, system.layout(points))
         }
     }
 
@@ -182,8 +195,8 @@ impl Tangent {
             is_constant: false,
             pairs: Default::default(),
             own: vec![OwnTangent::default(); layout.places.len()],
-            strains: vec![StrainTangent::default(); points * layout.strains],
-            stresses: vec![DualVector::zeros(); points * layout.stations.len()],
+            strains: vec![StrainTangent::default(); layout.strain_at.total()],
+            stresses: vec![DualVector::zeros(); layout.station_at.total()],
             resultant_scale: 1.0,
             increment: Increment::default(),
             rule: None,
@@ -212,7 +225,7 @@ impl Tangent {
 
     /// Tangents of the coupling `pair` at grid point `k`, not scaled.
     pub fn pair(&self, pair: usize, k: usize) -> PairTangent<'_> {
-        let at = pair * self.points + k;
+        let at = self.layout.coupling_at.of(pair).start + k;
         let [stiffness, damping, mass] = self.pairs.each_ref().map(|list| &list[at]);
         PairTangent {
             stiffness,
@@ -263,13 +276,19 @@ impl Tangent {
 
     /// Strain tangent `index` of those of all stations at grid point `k`.
     pub fn strain(&self, index: usize, k: usize) -> &StrainTangent {
-        &self.strains[index * self.points + k]
+        &self.strains[self.layout.strain_at.of(index).start + k]
     }
 
     /// Number of stress resultants over the grid: unknowns in the order of stations, then of grid
     /// points.
     pub fn resultants(&self) -> usize {
-        6 * self.points * self.layout.stations.len()
+        6 * self.layout.station_at.total()
+    }
+
+    /// Where the stress resultants of a station are among those.
+    pub fn resultants_of(&self, station: usize) -> Range<usize> {
+        let at = self.layout.station_at.of(station);
+        6 * at.start..6 * at.end
     }
 
     /// Forces and moments that count as 1 in the unknowns of stress resultants, the moments' for
@@ -343,7 +362,8 @@ impl Tangent {
         residual.resize(equations.size(), 0.0);
         let (system, division) = (equations.system(), &equations.division);
         let (layout, points) = (&self.layout, self.points);
-        let counts = layout.places.iter().map(|p| points * p.strains.len());
+        let counts = layout.places.iter();
+        let counts = counts.map(|p| layout.strain_at.of_all(p.strains.clone()).len());
         let (forces, asked) = residual.split_at_mut(self.unknowns.motions().end);
         let forces = division.split(forces, self.unknowns.of_node());
         let elements = system.elements().iter();
@@ -351,11 +371,10 @@ impl Tangent {
         let strains = parts(&mut self.strains, counts);
         let own = division.deal(strains.zip(&mut self.own).zip(asked));
         let [stiffness, damping, mass] = self.pairs.each_mut().map(|list| {
-            list.resize(points * layout.couplings.all().len(), Matrix6::zeros());
+            list.resize(layout.coupling_at.total(), Matrix6::zeros());
             let columns = |share: &Share| layout.couplings.of_columns(share.nodes.clone());
-            division
-                .split_by(list, |share| points * columns(share).len())
-                .into_iter()
+            let count = |share: &Share| layout.coupling_at.of_all(columns(share)).len();
+            division.split_by(list, count).into_iter()
         });
         let lists = stiffness.zip(damping).zip(mass).zip(forces).zip(own);
         let mut all: Vec<_> = lists
@@ -400,7 +419,7 @@ impl Tangent {
             let added = scales.map(|(row, column)| equations.grounding() / (row * column));
             let added = Matrix6::from_diagonal(&Vector6::from_iterator(added));
             let pair = self.layout.couplings.number(node, node);
-            let blocks = &mut self.pairs[0][pair * self.points..][..self.points];
+            let blocks = &mut self.pairs[0][self.layout.coupling_at.of(pair)];
             blocks.iter_mut().for_each(|block| *block += added);
         }
     }

@@ -4,9 +4,8 @@
 use super::{Station, Tangent};
 use crate::collocation::problem::Collocation;
 use crate::collocation::rule::RuleWorkspace;
-use crate::elements::StrainTangent;
 use crate::motion::{DualVector, product};
-use crate::system::Layout;
+use crate::workers::parts;
 use nalgebra::{Matrix6, Vector6};
 
 /// An increment of all unknowns, not scaled, and what it changes of their rates.
@@ -147,7 +146,12 @@ impl Tangent {
                 let part = layout.node(node);
                 let scaled = x_motions[part.clone()].iter().zip(&motion_scale[part]);
                 motions.iter_mut().zip(scaled).for_each(unscale);
-                rule.vary(node, motions, workspace, rates);
+                // What repeats itself does so in its rates.
+                let (told, _) = equations.told(&[node]);
+                let (rates, others) = rates.split_at_mut(told);
+                rule.vary(node, &motions[..6 * told], workspace, rates);
+                let parts = others.chunks_exact_mut(told);
+                parts.for_each(|part| part.copy_from_slice(rates));
             },
         );
         let mut workspace = RuleWorkspace::default();
@@ -173,26 +177,25 @@ impl Tangent {
         (resultants, unbalance): (&[f64], &mut [f64]),
         stresses: &mut [DualVector],
     ) {
-        let points = self.points;
         let scales = self.resultant_scales(equations.system());
-        let mut unbalances = unbalance.chunks_mut(6 * points);
-        let mut stations: Vec<_> = stresses
-            .chunks_mut(points)
-            .map(|stresses| (stresses, unbalances.next()))
+        let counts = (0..self.layout.stations.len()).map(|s| self.layout.station_at.of(s).len());
+        let counts = counts.collect::<Vec<_>>().into_iter();
+        let mut unbalances = match unbalance.is_empty() {
+            true => None,
+            false => Some(parts(unbalance, counts.clone().map(|count| 6 * count))),
+        };
+        let mut stations: Vec<_> = parts(stresses, counts)
+            .map(|stresses| (stresses, unbalances.as_mut().and_then(Iterator::next)))
             .collect();
         equations
             .workers()
             .each(&mut stations, |index, (stresses, unbalance)| {
                 let station = &self.layout.stations[index];
-                let (told, _) = equations.told(&station.nodes);
-                let stresses = &mut stresses[..told];
-                station.stresses(&self.unknowns, &self.strains, increment, stresses);
+                station.stresses(self, increment, stresses);
                 let Some(unbalance) = unbalance else {
                     return;
                 };
-                let (unbalance, others) = unbalance.split_at_mut(6 * told);
-                others.fill(0.0);
-                let given = resultants[6 * points * index..].chunks_exact(6);
+                let given = resultants[self.resultants_of(index)].chunks_exact(6);
                 let unbalance = unbalance.chunks_exact_mut(6);
                 for ((stress, given), unbalance) in stresses.iter_mut().zip(given).zip(unbalance) {
                     let given = Vector6::from_column_slice(given);
@@ -211,7 +214,7 @@ impl Tangent {
         stresses: &[DualVector],
         y: &mut [f64],
     ) {
-        let (points, layout) = (self.points, &self.layout);
+        let layout = &self.layout;
         let places = equations.layout();
         let size = places.motions().end;
         let mut rows: Vec<_> = y[..size].chunks_mut(places.of_node()).collect();
@@ -223,9 +226,9 @@ impl Tangent {
                 self.add_coupling(pair, told, increment, forces);
             }
             for &(station, strain) in &layout.acting[node] {
-                let (told, parts) = equations.told(&layout.stations[station].nodes);
-                let stresses = &stresses[station * points..][..told];
-                let strains = &self.strains[strain * points..][..told];
+                let (_, parts) = equations.told(&layout.stations[station].nodes);
+                let stresses = &stresses[layout.station_at.of(station)];
+                let strains = &self.strains[layout.strain_at.of(strain)];
                 let rows = forces.chunks_exact_mut(6);
                 for ((force, strain), stress) in rows.zip(strains).zip(stresses) {
                     let sum = (strain.strain.transpose() * *stress).to_wrench();
@@ -366,17 +369,12 @@ impl Tangent {
 
 impl Station {
     /// Stress resultants by the motions and rates of the nodes, at all grid points.
-    fn stresses(
-        &self,
-        unknowns: &Layout,
-        strains: &[StrainTangent],
-        increment: &Increment,
-        stresses: &mut [DualVector],
-    ) {
+    fn stresses(&self, tangent: &Tangent, increment: &Increment, stresses: &mut [DualVector]) {
+        let unknowns = &tangent.unknowns;
         let add = |first: usize, k: usize, stiffness, damping, wrench: &mut Vector6<f64>| {
             let (mut strain, mut strain_rate) = (DualVector::zeros(), DualVector::zeros());
             for (a, &node) in self.nodes.iter().enumerate() {
-                let tangent = &strains[(first + a) * unknowns.points() + k];
+                let tangent = tangent.strain(first + a, k);
                 let u = Vector6::from_column_slice(&increment.x[unknowns.motion(node, k)]);
                 let u = DualVector::from_twist(&u);
                 strain += tangent.strain * u;

@@ -23,6 +23,8 @@ pub(super) struct BlockStructure {
     /// First entry of each block.
     blocks: BTreeMap<(usize, usize), usize>,
     entries: usize,
+    /// Rows that have no blocks.
+    left_out: Vec<bool>,
 }
 
 /// Where entries of a part of a block are.
@@ -60,10 +62,38 @@ impl BlockStructure {
         Self::in_order((sizes, coupled), kept, order, in_fronts)
     }
 
+    /// The same of all rows but those that are `left_out`; none where that is done in fronts.
+    pub fn without(
+        sizes: Vec<usize>,
+        mut coupled: Vec<BTreeSet<usize>>,
+        kept: &[bool],
+        left_out: &[bool],
+    ) -> Option<Self> {
+        for (row, others) in coupled.iter_mut().enumerate() {
+            others.retain(|&other| !left_out[row] && !left_out[other]);
+        }
+        let waits = |(kept, left_out): (&bool, &bool)| if *kept || *left_out { NEVER } else { 0 };
+        let waiting = kept.iter().zip(left_out).map(waits).collect();
+        let order = elimination(&sizes, &coupled, waiting);
+        let left_out = left_out.to_vec();
+        let in_fronts = pay(&sizes, &order);
+        (!in_fronts).then(|| Self::of_rows((sizes, coupled), (kept, left_out), order, false))
+    }
+
     /// For block rows with these sizes and couplings, eliminated in this order.
     pub(super) fn in_order(
         (sizes, coupled): (Vec<usize>, Vec<BTreeSet<usize>>),
         kept: &[bool],
+        order: Vec<FrontPlan>,
+        in_fronts: bool,
+    ) -> Self {
+        let left_out = vec![false; sizes.len()];
+        Self::of_rows((sizes, coupled), (kept, left_out), order, in_fronts)
+    }
+
+    fn of_rows(
+        (sizes, coupled): (Vec<usize>, Vec<BTreeSet<usize>>),
+        (kept, left_out): (&[bool], Vec<bool>),
         order: Vec<FrontPlan>,
         in_fronts: bool,
     ) -> Self {
@@ -94,7 +124,11 @@ impl BlockStructure {
             }
             false => (steps(&order, &mut place), None),
         };
-        for (row, neighbours) in coupled.iter().enumerate() {
+        for (row, neighbours) in coupled
+            .iter()
+            .enumerate()
+            .filter(|(row, _)| !left_out[*row])
+        {
             for &column in neighbours.iter().chain([&row]) {
                 place(row, column);
             }
@@ -113,7 +147,21 @@ impl BlockStructure {
             fronts,
             blocks,
             entries,
+            left_out,
         }
+    }
+
+    /// Sets to zero what stands at rows that have no blocks.
+    pub fn silence<T: Lanes>(&self, x: &mut [T]) {
+        for (row, _) in self.left_out.iter().enumerate().filter(|(_, out)| **out) {
+            let (first, size) = self.part(row);
+            x[first..first + size].fill(T::zero());
+        }
+    }
+
+    /// Whether a row has no blocks.
+    pub fn leaves_out(&self, row: usize) -> bool {
+        self.left_out[row]
     }
 
     /// Number of unknowns.
@@ -152,6 +200,17 @@ impl BlockStructure {
             first: self.entry((row, column), (first_row, first_column)),
             columns: self.sizes[column],
         }
+    }
+
+    /// The same; none if that block is not there.
+    pub fn find(
+        &self,
+        (row, first_row): (usize, usize),
+        (column, first_column): (usize, usize),
+    ) -> Option<BlockPlace> {
+        let columns = self.sizes[column];
+        let first = self.blocks.get(&(row, column))? + first_row * columns + first_column;
+        Some(BlockPlace { first, columns })
     }
 
     /// Place of entry `(i, j)` of the block `(row, column)`, which must be there.

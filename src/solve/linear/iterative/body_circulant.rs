@@ -12,7 +12,8 @@
 //! `G_k = Q_k Ḡ`. At the nodes of other joints there remains the dynamic stiffness of the bodies
 //! between them, and a system over all grid points. See docs/theory.md, section 8.5.
 
-use super::block_lu::{BlockLanes, Scratch};
+use super::block_lu::{BlockLanes, BlockPlace, Scratch};
+use super::chunks::Chunks;
 use super::constraints::{
     Class, Joints, RowRotation, classify, keep_neighbours, row_rotations, turning_nodes,
 };
@@ -42,6 +43,7 @@ pub(super) struct BodyCirculant {
     unknowns: system::Layout,
     layout: Layout,
     factors: Vec<BlockLanes<ComplexLanes>>,
+    chunks: Chunks,
     rotations: Vec<RowRotation>,
     /// Unknowns that are not eliminated.
     kept: Vec<usize>,
@@ -138,7 +140,8 @@ impl BodyCirculant {
             transposed,
             workers: equations.workers(),
         };
-        let Some(factors) = averages.factor(0..harmonics) else {
+        let chunks = layout.chunks(equations, harmonics);
+        let Some(factors) = averages.factor(&chunks) else {
             return Ok(None);
         };
         let resultants = Resultants::new(equations, tangent, &strains);
@@ -165,23 +168,29 @@ impl BodyCirculant {
             resultants,
             frequency: equations.grid().frequency(),
             factors,
+            chunks,
             layout,
             kept,
             interface_time: Duration::ZERO,
         };
-        if let Some(mut interface) = interface {
-            let began = Instant::now();
-            let stiffness = circulant.kept_stiffness();
-            let multiply = &mut |motions: &[Vec<f64>], forces: &mut [Vec<f64>]| {
-                circulant.multiply_kept(motions, forces);
-            };
-            if !interface.factor(&stiffness, multiply, equations.workers())? {
-                return Ok(None);
-            }
-            circulant.interface = Some(interface);
-            circulant.interface_time = began.elapsed();
-        }
-        Ok(Some(circulant))
+        let factored = match interface {
+            Some(interface) => circulant.factor_interface(interface)?,
+            None => true,
+        };
+        Ok(factored.then_some(circulant))
+    }
+
+    /// Factors the system of the joints. `false` if it is singular.
+    fn factor_interface(&mut self, mut interface: Interface) -> Result<bool> {
+        let (began, workers) = (Instant::now(), self.workers.clone());
+        let stiffness = self.kept_stiffness();
+        let multiply = &mut |motions: &[Vec<f64>], forces: &mut [Vec<f64>]| {
+            self.multiply_kept(motions, forces);
+        };
+        let factored = interface.factor(&stiffness, multiply, &workers)?;
+        self.interface = Some(interface);
+        self.interface_time = began.elapsed();
+        Ok(factored)
     }
 
     /// Unknowns of the system of the joints.
@@ -221,9 +230,8 @@ impl BodyCirculant {
             rotation.apply(x, false);
         }
         self.transform_all(x);
-        let (structure, spectra, spectrum_at) =
-            (&self.layout.structure, &self.spectra, &self.spectrum_at);
-        let (factors, last) = (&self.factors, self.points / 2);
+        let (layout, spectra, spectrum_at) = (&self.layout, &self.spectra, &self.spectrum_at);
+        let (factors, chunks) = (&self.factors, &self.chunks);
         let workers = &self.workers;
         workers.for_each(
             &mut self.lanes,
@@ -232,9 +240,10 @@ impl BodyCirculant {
             |scratch, chunk, lanes| {
                 for (number, &at) in lanes.iter_mut().zip(spectrum_at) {
                     for lane in 0..LANES {
-                        number.set(lane, spectra[at + (LANES * chunk + lane).min(last)]);
+                        number.set(lane, spectra[at + chunks.harmonic(chunk, lane)]);
                     }
                 }
+                let structure = layout.structure_of(chunks.is_whole(chunk));
                 factors[chunk].forward(structure, lanes, (scratch, workers));
             },
         );
@@ -242,14 +251,16 @@ impl BodyCirculant {
             self.close_joints(&mut interface, x);
             self.interface = Some(interface);
         }
-        let (structure, factors) = (&self.layout.structure, &self.factors);
+        let (layout, factors, chunks) = (&self.layout, &self.factors, &self.chunks);
         let workers = &self.workers;
         workers.for_each(
             &mut self.lanes,
             &mut self.scratches,
             Scratch::default,
             |scratch, chunk, lanes| {
+                let structure = layout.structure_of(chunks.is_whole(chunk));
                 factors[chunk].backward(structure, lanes, (scratch, workers));
+                structure.silence(lanes);
             },
         );
         self.transform_back(x);
@@ -269,6 +280,7 @@ impl BodyCirculant {
     /// Derivatives of the motions, from their harmonics, and what the grid adds to them.
     fn find_rates(&mut self) {
         let (layout, lanes, aliasing) = (&self.layout, &self.lanes, &self.aliasing);
+        let chunks = &self.chunks;
         let (points, frequency) = (self.points, self.frequency);
         let scale = 1.0 / points as f64;
         let mut parts: Vec<_> = self.rates.chunks_mut(self.unknowns.of_node()).collect();
@@ -281,7 +293,8 @@ impl BodyCirculant {
                 let (row, first) = layout.node_at[node];
                 let first = layout.structure.first(row) + first;
                 let harmonic = |j: usize, component: usize| {
-                    lanes[j / LANES][first + component].get(j % LANES) * scale
+                    let (chunk, lane) = chunks.place(j);
+                    lanes[chunk][first + component].get(lane) * scale
                 };
                 for component in 0..6 {
                     let spectrum = &mut transform.synthesis.spectrum;
@@ -308,7 +321,8 @@ impl BodyCirculant {
     fn close_joints(&mut self, interface: &mut Interface, x: &mut [f64]) {
         let [mut forces, mut motions, mut products] = std::mem::take(&mut self.series);
         for (&unknown, series) in self.kept.iter().zip(&mut forces) {
-            series.copy_from_slice(collect(&mut self.transform, &self.lanes, unknown));
+            let lanes = (&self.chunks, &self.lanes[..]);
+            series.copy_from_slice(collect(&mut self.transform, lanes, unknown));
         }
         interface.determined(x, &mut motions);
         self.multiply_kept(&motions, &mut products);
@@ -328,17 +342,20 @@ impl BodyCirculant {
     pub(super) fn multiply_kept(&mut self, motions: &[Vec<f64>], forces: &mut [Vec<f64>]) {
         for (&unknown, series) in self.kept.iter().zip(motions) {
             self.transform.analysis.read(series.iter().copied());
-            spread(&self.transform.analysis, &mut self.lanes, unknown);
+            let lanes = (&self.chunks, &mut self.lanes[..]);
+            spread(&self.transform.analysis, lanes, unknown);
         }
         let all = self.factors.iter().zip(&self.lanes).zip(&mut self.products);
-        for ((factors, lanes), products) in all {
+        for (chunk, ((factors, lanes), products)) in all.enumerate() {
             self.kept
                 .iter()
                 .for_each(|&i| products[i] = ComplexLanes::zero());
-            factors.add_kept_product(&self.layout.structure, lanes, products);
+            let structure = self.layout.structure_of(self.chunks.is_whole(chunk));
+            factors.add_kept_product(structure, lanes, products);
         }
         for (&unknown, series) in self.kept.iter().zip(forces) {
-            series.copy_from_slice(collect(&mut self.transform, &self.products, unknown));
+            let products = (&self.chunks, &self.products[..]);
+            series.copy_from_slice(collect(&mut self.transform, products, unknown));
         }
     }
 
@@ -368,7 +385,8 @@ impl BodyCirculant {
 
     /// Everything that is averaged, from its harmonics.
     fn transform_back(&mut self, x: &mut [f64]) {
-        let (regions, lanes) = (&self.layout.regions, &self.lanes);
+        let regions = &self.layout.regions;
+        let lanes = (&self.chunks, &self.lanes[..]);
         let mut parts = Region::split(regions, x);
         let new = || self.transform.clone();
         self.workers
@@ -393,12 +411,17 @@ impl BodyCirculant {
             let _ = self.workers.pulse();
             for i in 0..structure.size(row) {
                 for j in 0..structure.size(column) {
-                    let place = structure.entry((row, column), (i, j));
                     let (a, b) = (structure.first(row) + i, structure.first(column) + j);
                     let harmonics = 0..=self.points / 2;
-                    stiffness[number(a)][number(b)] = harmonics
-                        .map(|h| self.factors[h / LANES].get(place).get(h % LANES))
-                        .collect();
+                    let of_harmonic = |h: usize| {
+                        let (chunk, lane) = self.chunks.place(h);
+                        let structure = self.layout.structure_of(self.chunks.is_whole(chunk));
+                        let place = structure.find((row, i), (column, j));
+                        let value =
+                            |p: BlockPlace| self.factors[chunk].get(p.entry(0, 0)).get(lane);
+                        place.map_or(Complex::default(), value)
+                    };
+                    stiffness[number(a)][number(b)] = harmonics.map(of_harmonic).collect();
                 }
             }
         }
@@ -417,12 +440,15 @@ fn spectra_of(layout: &Layout, harmonics: usize) -> Vec<usize> {
 }
 
 /// Writes harmonics to the lanes of an unknown.
-fn spread(analysis: &Analysis, lanes: &mut [Vec<ComplexLanes>], unknown: usize) {
-    let harmonics = analysis.samples.len() / 2;
+fn spread(
+    analysis: &Analysis,
+    (chunks, lanes): (&Chunks, &mut [Vec<ComplexLanes>]),
+    unknown: usize,
+) {
     for (chunk, lanes) in lanes.iter_mut().enumerate() {
         for lane in 0..LANES {
-            let j = (LANES * chunk + lane).min(harmonics);
-            lanes[unknown].set(lane, analysis.spectrum[j]);
+            let harmonic = chunks.harmonic(chunk, lane);
+            lanes[unknown].set(lane, analysis.spectrum[harmonic]);
         }
     }
 }
@@ -430,12 +456,13 @@ fn spread(analysis: &Analysis, lanes: &mut [Vec<ComplexLanes>], unknown: usize) 
 /// Transforms the harmonics of an unknown back, to samples.
 fn collect<'t>(
     transform: &'t mut Transform,
-    lanes: &[Vec<ComplexLanes>],
+    (chunks, lanes): (&Chunks, &[Vec<ComplexLanes>]),
     unknown: usize,
 ) -> &'t [f64] {
     let scale = 1.0 / transform.analysis.samples.len() as f64;
     for (j, value) in transform.synthesis.spectrum.iter_mut().enumerate() {
-        *value = lanes[j / LANES][unknown].get(j % LANES) * scale;
+        let (chunk, lane) = chunks.place(j);
+        *value = lanes[chunk][unknown].get(lane) * scale;
     }
     transform.backward()
 }

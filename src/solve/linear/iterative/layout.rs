@@ -1,6 +1,7 @@
 //! Where nodes and own unknowns of elements stand in the block rows of a preconditioner.
 
 use super::block_lu::BlockStructure;
+use super::chunks::Chunks;
 use super::constraints::{Class, turning_nodes};
 use crate::collocation::{Collocation, Tangent};
 use crate::system::System;
@@ -25,6 +26,9 @@ type Position = (usize, usize);
 /// Block rows of one harmonic, or of one grid point.
 pub(super) struct Layout {
     pub structure: BlockStructure,
+    /// The same without supports, of harmonics that they do not have, if there are such
+    /// (docs/theory.md, section 8.10).
+    pub without_supports: Option<BlockStructure>,
     /// Where each node stands.
     pub node_at: Vec<Position>,
     /// And the own unknowns of each element, if they are not left out.
@@ -105,6 +109,15 @@ impl Layout {
         for (node, turns) in turning_nodes(system, classes).into_iter().enumerate() {
             kept[node_at[node].0] |= turns;
         }
+        let is_left_out = |(members, kept): (&Vec<Member>, &bool)| {
+            !kept
+                && members
+                    .iter()
+                    .all(|&member| stands_still(equations, member))
+        };
+        let left_out: Vec<bool> = rows.iter().zip(&kept).map(is_left_out).collect();
+        let without_supports = (left_out.contains(&true))
+            .then(|| BlockStructure::without(sizes.clone(), coupled.clone(), &kept, &left_out));
         let structure = BlockStructure::new(sizes, coupled, &kept);
         let regions = regions(equations, classes, &structure, (&node_at, &own_at));
         let mut places = vec![(0, 0); structure.unknowns()];
@@ -114,11 +127,28 @@ impl Layout {
             }
         }
         Layout {
+            without_supports: without_supports.flatten(),
             regions,
             structure,
             node_at,
             own_at,
             places,
+        }
+    }
+
+    /// That of harmonics in which everything moves, or of others.
+    pub fn structure_of(&self, is_whole: bool) -> &BlockStructure {
+        match &self.without_supports {
+            Some(structure) if !is_whole => structure,
+            _ => &self.structure,
+        }
+    }
+
+    /// So many harmonics, from 0 on, in the order in which they are worked on.
+    pub fn chunks(&self, equations: &Collocation, harmonics: usize) -> Chunks {
+        match (&self.without_supports, equations.alike()) {
+            (Some(_), Some(alike)) => Chunks::of_one_blade(harmonics, alike.blades()),
+            _ => Chunks::of_all(0..harmonics),
         }
     }
 
@@ -141,6 +171,21 @@ impl Layout {
             .map(|row| self.structure.size(row))
             .max()
             .unwrap_or(0)
+    }
+}
+
+/// Whether unknowns are the same in all parts of the period, of one blade of several.
+fn stands_still(equations: &Collocation, member: Member) -> bool {
+    let Some(alike) = equations.alike() else {
+        return false;
+    };
+    match member {
+        Member::Node(node) => alike.is_still(node),
+        Member::Own(index) => {
+            let placed = &equations.system().elements()[index];
+            let mut nodes = placed.element.nodes().iter();
+            nodes.all(|&node| alike.is_still(node))
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! The Jacobian averaged over time in the frames of the bodies, harmonic by harmonic.
 
-use super::block_lu::{BlockLanes, BlockPlace};
+use super::block_lu::{BlockLanes, BlockPlace, BlockStructure};
+use super::chunks::Chunks;
 use super::constraints::Class;
 use super::lanes::{ComplexLanes, LANES, Lanes};
 use super::layout::Layout;
@@ -10,7 +11,6 @@ use crate::fourier::TimeGrid;
 use crate::system::{Placed, System};
 use crate::workers::Workers;
 use nalgebra::{Complex, Matrix3, Matrix6, Vector3, Vector6};
-use std::ops::Range;
 
 /// Means over time of what multiplies the increments of a coupling, their first and second
 /// derivatives.
@@ -255,44 +255,46 @@ pub(super) struct Averages<'a> {
 
 impl Averages<'_> {
     /// Factors of these harmonics; none if one is singular.
-    pub fn factor(&self, harmonics: Range<usize>) -> Option<Vec<BlockLanes<ComplexLanes>>> {
+    pub fn factor(&self, harmonics: &Chunks) -> Option<Vec<BlockLanes<ComplexLanes>>> {
         let highest_of_grid = self.grid.harmonics();
         let frequency = self.grid.frequency();
-        let chunks = harmonics.len().div_ceil(LANES);
-        let mut all: Vec<Option<BlockLanes<ComplexLanes>>> = vec![None; chunks];
+        let mut all: Vec<Option<BlockLanes<ComplexLanes>>> = vec![None; harmonics.count()];
         // Harmonics that are aliased, of any node.
         let highest = self.aliasing.iter().map(Vec::len).max().unwrap_or(0);
         let projections = self.projections();
         self.workers.each(&mut all, |chunk, place| {
-            let used = harmonics.len() - LANES * chunk;
-            let mut lanes = BlockLanes::<ComplexLanes>::new(&self.layout.structure, used);
-            let harmonic =
-                |lane: usize| (harmonics.start + LANES * chunk + lane).min(harmonics.end - 1);
+            let structure = self.layout.structure_of(harmonics.is_whole(chunk));
+            let mut lanes = BlockLanes::new(structure, harmonics.used(chunk));
+            let harmonic = |lane: usize| harmonics.harmonic(chunk, lane);
             let rates = std::array::from_fn(|lane| harmonic(lane) as f64 * frequency);
-            self.fill(&mut lanes, &rates);
+            self.fill((structure, &mut lanes), &rates);
             for lane in 0..LANES {
                 let below = highest_of_grid - harmonic(lane);
                 if below < highest {
-                    self.add_aliasing(&mut lanes, lane, below);
+                    self.add_aliasing((structure, &mut lanes), lane, below);
                 }
             }
             if let Some(projections) = &projections {
-                self.project(projections, &mut lanes, &std::array::from_fn(harmonic));
+                let harmonics = std::array::from_fn(harmonic);
+                self.project(projections, (structure, &mut lanes), &harmonics);
             }
-            if lanes.factor(&self.layout.structure, self.workers) {
+            if lanes.factor(structure, self.workers) {
                 *place = Some(lanes);
             }
         });
         all.into_iter().collect()
     }
 
-    /// Where a coupling stands in the matrices.
-    pub(super) fn place(&self, coupling: &Coupling) -> BlockPlace {
+    /// Where a coupling stands in the matrices, if it does.
+    pub(super) fn place(
+        &self,
+        structure: &BlockStructure,
+        coupling: &Coupling,
+    ) -> Option<BlockPlace> {
         let at = |node: usize| self.layout.node_at[node];
-        let structure = &self.layout.structure;
         match self.transposed {
-            false => structure.block_at(at(coupling.row), at(coupling.column)),
-            true => structure.block_at(at(coupling.column), at(coupling.row)),
+            false => structure.find(at(coupling.row), at(coupling.column)),
+            true => structure.find(at(coupling.column), at(coupling.row)),
         }
     }
 
@@ -310,10 +312,16 @@ impl Averages<'_> {
     }
 
     /// Writes the matrices of harmonics with these circular frequencies.
-    fn fill(&self, lanes: &mut BlockLanes<ComplexLanes>, rates: &[f64; LANES]) {
-        let (structure, node_at) = (&self.layout.structure, &self.layout.node_at);
+    fn fill(
+        &self,
+        (structure, lanes): (&BlockStructure, &mut BlockLanes<ComplexLanes>),
+        rates: &[f64; LANES],
+    ) {
+        let node_at = &self.layout.node_at;
         for (mean, coupling) in self.means.iter().zip(self.couplings) {
-            let place = self.place(coupling);
+            let Some(place) = self.place(structure, coupling) else {
+                continue;
+            };
             let [stiffness, damping, mass] = &mean.orders;
             for i in 0..6 {
                 for j in 0..6 {
@@ -331,14 +339,17 @@ impl Averages<'_> {
                 continue;
             };
             let count = placed.element.own_unknowns();
-            if count == 0 {
+            let own = self.layout.own_at[index];
+            if count == 0 || structure.leaves_out(own.0) {
                 continue;
             }
-            let own = self.layout.own_at[index];
             let own_place = structure.block_at(own, own);
             for (local, &node) in placed.element.nodes().iter().enumerate() {
-                let below = structure.block_at(own, node_at[node]);
-                let beside = structure.block_at(node_at[node], own);
+                let places = structure.find(own, node_at[node]);
+                let places = places.zip(structure.find(node_at[node], own));
+                let Some((below, beside)) = places else {
+                    continue;
+                };
                 for row in 0..count {
                     for component in 0..6 {
                         let at = (row, 6 * local + component);
@@ -371,15 +382,20 @@ impl Averages<'_> {
     }
 
     /// Adds what the grid makes of the harmonic so many below the highest.
-    fn add_aliasing(&self, lanes: &mut BlockLanes<ComplexLanes>, lane: usize, below: usize) {
+    fn add_aliasing(
+        &self,
+        (structure, lanes): (&BlockStructure, &mut BlockLanes<ComplexLanes>),
+        lane: usize,
+        below: usize,
+    ) {
         for (mean, coupling) in self.means.iter().zip(self.couplings) {
-            let Some(aliasing) = self.aliasing[coupling.column].get(below) else {
+            let aliasing = self.aliasing[coupling.column].get(below);
+            let Some((aliasing, place)) = aliasing.zip(self.place(structure, coupling)) else {
                 continue;
             };
             let complex = |m: &Matrix6<f64>| m.map(Complex::from);
             let change = complex(&mean.velocity) * aliasing.velocity
                 + complex(&mean.orders[2]) * aliasing.acceleration;
-            let place = self.place(coupling);
             for i in 0..6 {
                 for j in 0..6 {
                     let entry = lanes.at(self.entry(place, i, j));

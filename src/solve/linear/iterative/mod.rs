@@ -6,7 +6,8 @@
 //!   `iteration` is that on the equations, `operator` theirs, between borders, too, `learnt` what
 //!   long solves leave to others; `projected` iterates on oversampled equations.
 //! * `body_circulant`: bodies averaged over time, joints as they are. In `constraints` which of
-//!   these may be averaged too, in `mean` the averages, in `projection` those of like blades, in
+//!   these may be averaged too, in `mean` the averages, in `chunks` which harmonics are side by
+//!   side, in `projection` those of like blades, in
 //!   `resultants` those of stress resultants, in `interface` the system of the joints that turn.
 //! * `transposed`: the transposed equations, by the transposes of these.
 //! * `time_local`: equilibrium at each grid point by itself.
@@ -20,6 +21,7 @@ mod block_lu;
 #[cfg(test)]
 mod block_lu_test;
 mod body_circulant;
+mod chunks;
 mod constraints;
 mod dense;
 mod factors;
@@ -146,7 +148,7 @@ impl Iterative {
         let slenderness = equations.system().slenderness();
         Iterative {
             slenderness,
-            tangent: Tangent::with_resultants_apart(equations.system(), equations.grid().points()),
+            tangent: Tangent::of_iteration(equations),
             wanted,
             direct_work: None,
             iteration_limit: LARGEST_ITERATION_LIMIT,

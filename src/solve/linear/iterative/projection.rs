@@ -1,7 +1,7 @@
 //! What harmonics of hub and supports may be, in the averaged matrices of one blade of several
 //! (docs/theory.md, section 8.10).
 
-use super::block_lu::{BlockLanes, BlockPlace};
+use super::block_lu::{BlockLanes, BlockPlace, BlockStructure};
 use super::constraints::{Average, Class};
 use super::lanes::{ComplexLanes, LANES, Lanes};
 use super::mean::Averages;
@@ -80,14 +80,15 @@ impl Averages<'_> {
     pub(super) fn project(
         &self,
         projections: &Projections,
-        lanes: &mut BlockLanes<ComplexLanes>,
+        (structure, lanes): (&BlockStructure, &mut BlockLanes<ComplexLanes>),
         harmonics: &[usize; LANES],
     ) {
-        let structure = &self.layout.structure;
         let remainders = harmonics.map(|harmonic| projections.of(harmonic));
         let mut largest = [1.0f64; LANES];
         for coupling in self.couplings {
-            let place = self.place(coupling);
+            let Some(place) = self.place(structure, coupling) else {
+                continue;
+            };
             for entry in 0..36 {
                 let entry = lanes.at(place.entry(entry / 6, entry % 6));
                 for (lane, largest) in largest.iter_mut().enumerate() {
@@ -98,7 +99,10 @@ impl Averages<'_> {
         let held = largest.map(|largest| HELD * largest.sqrt());
         for coupling in self.couplings {
             let holds = coupling.row == coupling.column;
-            let block = (self.place(coupling), [6, 6]);
+            let Some(place) = self.place(structure, coupling) else {
+                continue;
+            };
+            let block = (place, [6, 6]);
             for (lane, of) in remainders.iter().enumerate() {
                 let sides = [coupling.row, coupling.column].map(|node| &of.nodes[node]);
                 let holds = holds.then_some(held[lane]);
@@ -108,14 +112,18 @@ impl Averages<'_> {
         for (index, (class, placed)) in self.classes.iter().zip(self.system.elements()).enumerate()
         {
             let count = placed.element.own_unknowns();
-            if count == 0 || !matches!(class, Class::Averaged(_)) {
+            let own = self.layout.own_at[index];
+            let is_averaged = matches!(class, Class::Averaged(_));
+            if count == 0 || !is_averaged || structure.leaves_out(own.0) {
                 continue;
             }
-            let own = self.layout.own_at[index];
             for &node in placed.element.nodes() {
                 let at = self.layout.node_at[node];
-                let below = (structure.block_at(own, at), [count, 6]);
-                let beside = (structure.block_at(at, own), [6, count]);
+                let places = structure.find(own, at).zip(structure.find(at, own));
+                let Some((below, beside)) = places else {
+                    continue;
+                };
+                let (below, beside) = ((below, [count, 6]), (beside, [6, count]));
                 for (lane, of) in remainders.iter().enumerate() {
                     let (of_node, of_own) = (&of.nodes[node], &of.own[index]);
                     project_block(lanes, lane, below, [of_own, of_node], None);

@@ -17,8 +17,9 @@ use super::mean::MeanStrain;
 use super::transform::Transform;
 use crate::collocation::{Aliasing, Collocation, Station, Tangent};
 use crate::system::Layout;
-use crate::workers::Workers;
+use crate::workers::{Workers, parts};
 use nalgebra::{Complex, Matrix6, Vector6};
+use std::ops::Range;
 
 /// Averaged `B` and `L`, scaled.
 pub(super) struct Resultants {
@@ -27,9 +28,11 @@ pub(super) struct Resultants {
     strains: Vec<MeanStrain>,
     /// Of each node: the stations whose resultants act on it, and its strains there.
     acting: Vec<Vec<(usize, usize)>>,
-    /// Grid points, from the first on, at which those of each station are unknowns; and at which
-    /// forces on each node are told. See [`Collocation::told`].
-    told: [Vec<usize>; 2],
+    /// Where those of each station are among all.
+    places: Vec<Range<usize>>,
+    /// Grid points, from the first on, at which forces on each node are told. See
+    /// [`Collocation::told`].
+    told: Vec<usize>,
     /// What counts as 1 in their unknowns.
     pub scale: f64,
     workers: Workers,
@@ -59,10 +62,11 @@ impl Resultants {
                     .map_with_location(|i, j, x| x * row_scale[j] * scales[i]);
             }
         }
-        let of_stations = stations.iter().map(|s| equations.told(&s.nodes).0);
         let of_nodes = (0..acting.len()).map(|node| equations.told(&[node]).0);
+        let of_stations = (0..stations.len()).map(|station| tangent.resultants_of(station));
         Resultants {
-            told: [of_stations.collect(), of_nodes.collect()],
+            places: of_stations.collect(),
+            told: of_nodes.collect(),
             layout,
             stations,
             strains: scaled,
@@ -82,10 +86,10 @@ impl Resultants {
         let (motions, of_node) = (self.layout.motions(), self.layout.of_node());
         let mut rows: Vec<_> = x[motions].chunks_mut(of_node).collect();
         let add = |node: usize, forces: &mut [f64]| {
-            let told = self.told[1][node];
+            let told = self.told[node];
             for &(station, strain) in &self.acting[node] {
                 let to_force = self.strains[strain].strain.transpose() * self.scale;
-                let r = r[of_node * station..].chunks_exact(6).take(told);
+                let r = r[self.places[station].clone()].chunks_exact(6);
                 for (force, r) in forces.chunks_exact_mut(6).zip(r) {
                     let sum = to_force * Vector6::from_column_slice(r);
                     force.iter_mut().zip(&sum).for_each(|(y, f)| *y += f);
@@ -111,7 +115,7 @@ impl Resultants {
             self.workers.each(&mut rows, |node, forces| {
                 for &(station, strain) in &self.acting[node] {
                     let to_force = self.strains[strain].orders[order].transpose() / self.scale;
-                    let r = r[of_node * station..].chunks_exact(6);
+                    let r = r[self.places[station].clone()].chunks_exact(6);
                     for (force, r) in forces.chunks_exact_mut(6).zip(r) {
                         let sum = to_force * Vector6::from_column_slice(r);
                         force.iter_mut().zip(&sum).for_each(|(y, f)| *y += f);
@@ -170,7 +174,7 @@ impl Resultants {
 
     /// `r = B x − r`.
     pub fn determine_transposed(&self, x: &[f64], r: &mut [f64]) {
-        let mut all: Vec<_> = r.chunks_mut(self.layout.of_node()).collect();
+        let mut all = self.by_station(r);
         self.workers.each(&mut all, |index, series| {
             let station = &self.stations[index];
             for (k, r) in series.chunks_exact_mut(6).enumerate() {
@@ -194,8 +198,6 @@ impl Resultants {
         };
         let determine = |index: usize, series: &mut [f64]| {
             let station = &self.stations[index];
-            let (series, others) = series.split_at_mut(6 * self.told[0][index]);
-            others.fill(0.0);
             for (k, r) in series.chunks_exact_mut(6).enumerate() {
                 let mut sum = Vector6::zeros();
                 for (&node, mean) in station.nodes.iter().zip(&self.strains[station.first..]) {
@@ -209,7 +211,12 @@ impl Resultants {
                     .for_each(|(r, f)| *r = f / self.scale - *r);
             }
         };
-        let mut all: Vec<_> = r.chunks_mut(self.layout.of_node()).collect();
+        let mut all = self.by_station(r);
         self.workers.each(&mut all, |index, r| determine(index, r));
+    }
+
+    /// All resultants, station by station.
+    fn by_station<'r>(&self, r: &'r mut [f64]) -> Vec<&'r mut [f64]> {
+        parts(r, self.places.iter().map(Range::len)).collect()
     }
 }

@@ -4,6 +4,7 @@
 
 use super::block_lu::{BlockLanes, Scratch};
 use super::body_circulant::{LARGEST_BLOCK, NEIGHBOURS, scaled_aliasing_of};
+use super::chunks::Chunks;
 use super::constraints::{Class, Joints, RowRotation, classify, keep_neighbours, turning_nodes};
 use super::lanes::{ComplexLanes, LANES, Lanes};
 use super::layout::Layout;
@@ -172,7 +173,7 @@ impl SpreadHarmonics {
             transposed: false,
             workers: equations.workers(),
         };
-        let factors = averages.factor(harmonics.clone());
+        let factors = averages.factor(&Chunks::of_all(harmonics.clone()));
         let is_missing = f64::from(u8::from(factors.is_none()));
         let (Some(factors), true) = (factors, ranks.largest([is_missing])? == [0.0]) else {
             return Ok(None);
