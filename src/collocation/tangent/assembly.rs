@@ -151,9 +151,8 @@ impl Tangent {
             },
         );
         let counts = (0..system.elements().len()).map(|index| pattern.own_values(index).len());
-        for (index, values) in parts(of_own, counts).enumerate() {
-            assembly.write_own(index, values);
-        }
+        let mut own: Vec<&mut [f64]> = parts(of_own, counts).collect();
+        workers.each(&mut own, |index, values| assembly.write_own(index, values));
         self.assembly = scratch;
         done
     }

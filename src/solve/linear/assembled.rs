@@ -85,7 +85,12 @@ impl Assembled {
         let pattern = pattern_of(&self.pattern, equations);
         let bordered = self.bordered.as_ref().map(|(factors, _)| factors.entries());
         let entries = pattern.entries();
-        self.values.resize(bordered.unwrap_or(entries), 0.0);
+        let wanted = bordered.unwrap_or(entries);
+        if self.values.len() != wanted {
+            self.values = Vec::new();
+            // Memory that threads touch first, side by side.
+            self.values = vec![0.0; wanted];
+        }
         let values = &mut self.values[..entries];
         equations.jacobian(state, pattern, &mut self.tangent, values)
     }
@@ -115,11 +120,9 @@ impl Assembled {
     pub(crate) fn factor_all(&mut self, equations: &Collocation) -> Result<bool> {
         (self.by_freedoms, self.with_borders) = (false, false);
         let (pattern, workers) = (pattern_of(&self.pattern, equations), &self.workers);
-        let solver = self.solver.get_or_insert_with(|| {
-            let mut solver = DirectSolver::new(pattern);
-            solver.set_workers(workers.clone());
-            solver
-        });
+        let solver = self
+            .solver
+            .get_or_insert_with(|| DirectSolver::new(pattern, workers.clone()));
         solver.factor(&self.values)
     }
 
@@ -377,7 +380,10 @@ impl LinearSolver for Assembled {
         }
         let size = match (&self.freedoms, &self.unformed) {
             (Some(freedoms), Some(_)) => freedoms.largest(&self.values).max(1.0),
-            _ => largest(&self.values),
+            _ => match (&self.solver, self.by_freedoms) {
+                (Some(solver), false) => solver.largest_entry(),
+                _ => largest(&self.values),
+            },
         };
         largest(&probe) * size
     }

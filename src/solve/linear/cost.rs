@@ -4,7 +4,8 @@ use crate::elements::StrainTangent;
 use crate::motion::DualVector;
 use crate::solve::linear::critical_path::path;
 use crate::solve::linear::front::elimination_work;
-use crate::solve::linear::ordering::{FrontPlan, plan};
+use crate::solve::linear::ordering::FrontPlan;
+use crate::solve::linear::two_branches::plan_for;
 use crate::system::System;
 use crate::work::{LINEARISATION, OF_FACTORS, PRODUCT, RESIDUAL};
 use nalgebra::Matrix6;
@@ -34,14 +35,14 @@ impl DirectCost {
 
     /// Of the Jacobian of a system on a grid of so many points.
     pub fn of(system: &System, points: usize) -> Self {
-        let (sizes, fronts) = fronts(system, points);
+        let (sizes, fronts) = fronts(system, points, 1);
         let size = |groups: &[usize]| groups.iter().map(|&g| sizes[g]).sum::<usize>();
         Self::of_fronts(fronts.iter().map(|f| (size(&f.own), size(&f.boundary))))
     }
 
     /// Multiply-adds of the factorisation one after the other, where so many workers share them.
     pub fn shared(system: &System, points: usize, workers: usize) -> f64 {
-        let (sizes, fronts) = fronts(system, points);
+        let (sizes, fronts) = fronts(system, points, workers);
         let size = |groups: &[usize]| groups.iter().map(|&g| sizes[g]).sum::<usize>();
         path(&fronts, size, workers)
     }
@@ -66,8 +67,8 @@ impl DirectCost {
     }
 }
 
-/// Sizes of the groups of unknowns, and the fronts that eliminate them.
-fn fronts(system: &System, points: usize) -> (Vec<usize>, Vec<FrontPlan>) {
+/// Sizes of the groups of unknowns, and the fronts that eliminate them by so many workers.
+fn fronts(system: &System, points: usize, workers: usize) -> (Vec<usize>, Vec<FrontPlan>) {
     let nodes = system.nodes();
     let mut sizes = vec![system.layout(points).of_node(); nodes];
     let mut coupled = vec![BTreeSet::new(); nodes];
@@ -82,7 +83,7 @@ fn fronts(system: &System, points: usize) -> (Vec<usize>, Vec<FrontPlan>) {
             coupled[a].extend(&members);
         }
     }
-    let fronts = plan(&sizes, &coupled, nodes);
+    let fronts = plan_for(workers, &sizes, &coupled, nodes);
     (sizes, fronts)
 }
 

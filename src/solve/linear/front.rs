@@ -4,10 +4,9 @@
 use crate::error::Result;
 use crate::solve::linear::blocks::{self, Diagonal};
 use crate::solve::linear::dense::largest;
+use crate::solve::linear::lu;
 use crate::solve::linear::partial_lu::factor_partially;
 use crate::workers::Workers;
-use faer::dyn_stack::{MemBuffer, StackReq};
-use faer::linalg::lu::partial_pivoting::factor::lu_in_place_scratch;
 use faer::{Mat, MatRef, Par};
 
 /// Multiply-adds of a front, or several, that are worth sharing among threads.
@@ -62,12 +61,9 @@ pub(crate) fn elimination_work(count: usize, rest: usize) -> f64 {
     own * own * own / 3.0 + own * own * rest + own * rest * rest
 }
 
-/// Makes a matrix of zeros of one that may have been used before.
-pub(crate) fn make_zero(matrix: &mut Mat<f64>, rows: usize, columns: usize) -> Result<()> {
+/// Gives a matrix this size; what is in it is to be written.
+pub(crate) fn make_room(matrix: &mut Mat<f64>, rows: usize, columns: usize) -> Result<()> {
     if (matrix.nrows(), matrix.ncols()) == (rows, columns) {
-        for column in 0..columns {
-            matrix.col_as_slice_mut(column).fill(0.0);
-        }
         return Ok(());
     }
     *matrix = Mat::new();
@@ -80,12 +76,7 @@ pub(crate) fn make_zero(matrix: &mut Mat<f64>, rows: usize, columns: usize) -> R
 pub(crate) struct FrontWorkspace {
     /// Where each group begins in the front.
     pub place: Vec<usize>,
-    /// Size of a square matrix that the memory is enough for the factors of.
-    most: usize,
-    memory: MemBuffer,
-    permutation: Vec<usize>,
-    inverse: Vec<usize>,
-    column: Vec<f64>,
+    order: Vec<usize>,
     /// Sizes of columns.
     pub sizes: Vec<f64>,
     /// Who tells that work goes on.
@@ -97,25 +88,9 @@ impl FrontWorkspace {
         FrontWorkspace {
             workers: workers.alone(),
             place: vec![usize::MAX; groups],
-            most: 0,
-            memory: MemBuffer::new(StackReq::EMPTY),
-            permutation: Vec::new(),
-            inverse: Vec::new(),
-            column: Vec::new(),
+            order: Vec::new(),
             sizes: Vec::new(),
         }
-    }
-
-    /// Makes it enough for the factors of square matrices up to this size.
-    fn grow(&mut self, size: usize, parallelism: Par) {
-        if self.most < size {
-            let need =
-                lu_in_place_scratch::<usize, f64>(size, size, parallelism, Default::default());
-            self.memory = MemBuffer::new(need);
-            self.most = size;
-        }
-        self.permutation.resize(size.max(self.permutation.len()), 0);
-        self.inverse.resize(size.max(self.inverse.len()), 0);
     }
 }
 
@@ -203,45 +178,24 @@ impl Front {
         workspace: &mut FrontWorkspace,
         parallelism: Par,
     ) -> Result<bool> {
-        let (count, size) = (self.upper.nrows(), self.upper.ncols());
+        let count = self.upper.nrows();
         self.measure_columns(&mut workspace.sizes);
         let parallelism = self.parallelism(parallelism);
-        workspace.grow(count, parallelism);
-        blocks::lu(
-            self.upper.as_mut().subcols_mut(0, count),
-            &mut workspace.permutation[..count],
-            &mut workspace.inverse[..count],
-            parallelism,
-            &mut workspace.memory,
-            &workspace.workers,
-        )?;
-        for (j, size) in workspace.sizes.iter().enumerate() {
-            let pivot = self.upper[(j, j)].abs();
-            // Written so that NaN fails too.
-            let good = pivot > smallest_pivot * size && pivot.is_finite();
-            if !good {
-                return Ok(false);
-            }
-        }
-        let permutation = &workspace.permutation[..count];
-        self.rows = permutation.iter().map(|&row| self.rows[row]).collect();
-        for j in count..size {
-            let column = self.upper.col_as_slice_mut(j);
-            workspace.column.clear();
-            workspace.column.extend_from_slice(column);
-            for (to, &from) in column.iter_mut().zip(permutation) {
-                *to = workspace.column[from];
-            }
-        }
-        let (factors, mut beyond) = self.upper.as_mut().split_at_col_mut(count);
-        let factors = factors.as_ref();
-        let workers = &workspace.workers;
-        blocks::solve_lower(
-            (factors, Diagonal::Ones),
-            beyond.as_mut(),
-            parallelism,
+        let FrontWorkspace {
+            order,
+            sizes,
             workers,
-        )?;
+            ..
+        } = workspace;
+        order.resize(count, 0);
+        // Written so that NaN fails too.
+        let accepts = |j: usize, pivot: f64| pivot > smallest_pivot * sizes[j] && pivot.is_finite();
+        let all = (parallelism, &*workers);
+        if !lu::factor(self.upper.as_mut(), order, accepts, all)? {
+            return Ok(false);
+        }
+        self.rows = order.iter().map(|&row| self.rows[row]).collect();
+        let (factors, beyond) = self.upper.as_ref().split_at_col(count);
         // L₂₁ U = F₂₁, transposed: Uᵀ L₂₁ᵀ = F₂₁ᵀ.
         let transposed = self.lower.as_mut().transpose_mut();
         blocks::solve_lower(
@@ -253,7 +207,7 @@ impl Front {
         blocks::subtract_matmul(
             self.remainder.as_mut(),
             self.lower.as_ref(),
-            beyond.as_ref(),
+            beyond,
             parallelism,
             workers,
         )?;
@@ -292,10 +246,10 @@ impl Front {
         let delayed = own - count;
         let (factored, unfactored) = self.upper.as_ref().split_at_row(count);
         let mut upper = Mat::new();
-        make_zero(&mut upper, count, size)?;
+        make_room(&mut upper, count, size)?;
         upper.copy_from(factored);
         let mut lower = Mat::new();
-        make_zero(&mut lower, size - count, count)?;
+        make_room(&mut lower, size - count, count)?;
         let (mut above, mut below) = lower.as_mut().split_at_row_mut(delayed);
         above.copy_from(unfactored.subcols(0, count));
         let column = |j: usize| self.lower.col(order[j]);
@@ -310,7 +264,7 @@ impl Front {
         )?;
 
         let mut remainder = Mat::new();
-        make_zero(&mut remainder, size - count, size - count)?;
+        make_room(&mut remainder, size - count, size - count)?;
         let (mut first_rows, mut rest) = remainder.as_mut().split_at_row_mut(delayed);
         first_rows.copy_from(unfactored.subcols(count, size - count));
         for j in 0..delayed {

@@ -68,8 +68,8 @@ impl Factors {
         let mut pattern = LikeBladesPattern::new(system, &tangent, left);
         let groups = pattern.groups().to_vec();
         let panels = pattern.take_panels();
-        let mut solver = DirectSolver::of_panels(groups, pattern.node_groups(), panels);
-        solver.set_workers(equations.workers().clone());
+        let groups = (groups, pattern.node_groups());
+        let solver = DirectSolver::of_panels(groups, panels, equations.workers().clone());
         Factors {
             tangent,
             values: Vec::new(),

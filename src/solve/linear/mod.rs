@@ -6,8 +6,9 @@
 //!
 //! * Directly (docs/theory.md, section 8.1): `assembled` forms the Jacobian and factors it by
 //!   `direct`, multifrontal LU, with the matrices of very slender beams refined in `slender`.
-//!   `ordering` says in which order, `direct/analysis` which fronts follow, `direct/factorisation`
-//!   goes through them, and `front` eliminates one, with `partial_lu` where not all has pivots.
+//!   `ordering` says in which order, `two_branches` for several threads, `direct/analysis` which
+//!   fronts follow, `direct/factorisation` goes through them, `direct/sum` sums one up, and `front`
+//!   eliminates it, with `partial_lu` where not all has pivots.
 //! * By freedoms, of mechanisms that have few (docs/theory.md, section 8.2): `freedoms`.
 //! * By what is left of a rotor of like blades (docs/theory.md, section 8.10): `like_blades`.
 //! * By iteration: `iterative`, with GMRES in `iterative/gmres` (docs/theory.md, section 8.3) and
@@ -17,7 +18,8 @@
 //!   `direct/with_borders` with factors of both (docs/theory.md, section 8.8).
 //! * `diagnosis` says what is free to move, or which constraints say the same thing twice
 //!   (docs/theory.md, section 7.5).
-//! * Dense kernels: `dense` with one vector, `blocks` with large matrices, `eigenvalues`.
+//! * Dense kernels: `dense` with one vector, `blocks` with large matrices, `lu` for their factors,
+//!   `eigenvalues`.
 
 pub(crate) mod assembled;
 mod blocks;
@@ -34,9 +36,11 @@ mod freedoms;
 mod front;
 pub(crate) mod iterative;
 pub(crate) mod like_blades;
+mod lu;
 pub(crate) mod method;
 mod ordering;
 mod partial_lu;
 pub(crate) mod plan;
 mod slender;
 pub(crate) mod solver;
+mod two_branches;

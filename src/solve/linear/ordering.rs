@@ -34,6 +34,17 @@ pub(crate) fn plan(
     coupled: &[BTreeSet<usize>],
     first_multiplier: usize,
 ) -> Vec<FrontPlan> {
+    plan_with_late(sizes, coupled, first_multiplier, &[])
+}
+
+/// The same where some groups, if any, come late: when of the others none is left that need not
+/// wait for them.
+pub(crate) fn plan_with_late(
+    sizes: &[usize],
+    coupled: &[BTreeSet<usize>],
+    first_multiplier: usize,
+    late: &[usize],
+) -> Vec<FrontPlan> {
     let waiting = coupled.iter().enumerate().map(|(g, neighbours)| {
         if g < first_multiplier {
             0
@@ -41,7 +52,7 @@ pub(crate) fn plan(
             neighbours.iter().filter(|&&n| n != g).count()
         }
     });
-    let order = elimination(sizes, coupled, waiting.collect());
+    let order = elimination_with_late(sizes, coupled, waiting.collect(), late);
     merge(sizes, order, |joined| joined.own <= SMALLEST_FRONT)
 }
 
@@ -54,6 +65,9 @@ pub(crate) fn joined_fronts(sizes: &[usize], order: Vec<FrontPlan>) -> Vec<Front
     })
 }
 
+/// Weight of what comes late: elimination is to go there, not to begin beside it.
+const LATE: usize = 4;
+
 /// Has a group wait for ever.
 pub(crate) const NEVER: usize = usize::MAX;
 
@@ -62,18 +76,32 @@ pub(crate) const NEVER: usize = usize::MAX;
 pub(crate) fn elimination(
     sizes: &[usize],
     coupled: &[BTreeSet<usize>],
-    mut waiting: Vec<usize>,
+    waiting: Vec<usize>,
 ) -> Vec<FrontPlan> {
-    let mut graph = QuotientGraph::new(sizes, coupled);
+    elimination_with_late(sizes, coupled, waiting, &[])
+}
+
+fn elimination_with_late(
+    sizes: &[usize],
+    coupled: &[BTreeSet<usize>],
+    mut waiting: Vec<usize>,
+    late: &[usize],
+) -> Vec<FrontPlan> {
+    let mut is_late = vec![false; sizes.len()];
+    let mut weights = sizes.to_vec();
+    for &g in late {
+        (is_late[g], weights[g]) = (true, LATE * sizes[g]);
+    }
+    let mut graph = QuotientGraph::new(&weights, coupled);
     // Length of the longest way to each front from the leaves of the tree.
     let mut height = vec![0; sizes.len()];
     // Those that do not wait, least first; what has changed since it was put here is there again.
     let ready = (0..sizes.len()).filter(|&g| waiting[g] == 0);
     let mut queue: BinaryHeap<_> = ready
-        .map(|g| Reverse((graph.degrees[g], height[g], g)))
+        .map(|g| Reverse((is_late[g], graph.degrees[g], height[g], g)))
         .collect();
     let mut fronts: Vec<FrontPlan> = Vec::new();
-    while let Some(Reverse((degree, high, next))) = queue.pop() {
+    while let Some(Reverse((_, degree, high, next))) = queue.pop() {
         if graph.eliminated[next] || (degree, high) != (graph.degrees[next], height[next]) {
             continue;
         }
@@ -84,7 +112,7 @@ pub(crate) fn elimination(
             }
             height[a] = height[a].max(high + 1);
             if waiting[a] == 0 {
-                queue.push(Reverse((graph.degrees[a], height[a], a)));
+                queue.push(Reverse((is_late[a], graph.degrees[a], height[a], a)));
             }
         }
         fronts.push(FrontPlan {

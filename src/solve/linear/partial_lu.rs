@@ -1,11 +1,10 @@
 //! LU factorisation of as much of a matrix as has good pivots.
 
 use crate::error::Result;
+use crate::solve::linear::blocks::{Diagonal, solve_lower, subtract_matmul};
 use crate::workers::Workers;
-use faer::linalg::matmul::matmul;
-use faer::linalg::triangular_solve::solve_unit_lower_triangular_in_place;
 use faer::perm::swap_cols_idx;
-use faer::{Accum, Mat, Par};
+use faer::{Mat, Par};
 
 /// Columns that are factored together, before those to their right are reduced.
 const PANEL: usize = 32;
@@ -55,8 +54,7 @@ pub(crate) fn factor_partially(
         let first = factors.count;
         let panel_end = end.min(first + PANEL);
         factors.factor_panel(panel_end);
-        factors.reduce_others(first, panel_end, parallelism);
-        workers.pulse()?;
+        factors.reduce_others((first, panel_end), (parallelism, workers))?;
         let (refused, untried) = (panel_end - factors.count, end - panel_end);
         for i in 0..refused.min(untried) {
             factors.exchange_columns(factors.count + i, end - 1 - i);
@@ -108,7 +106,11 @@ impl PartialLu<'_> {
     }
 
     /// Exchanges rows outside the panel as in it, and reduces the columns to its right.
-    fn reduce_others(&mut self, first: usize, panel_end: usize, parallelism: Par) {
+    fn reduce_others(
+        &mut self,
+        (first, panel_end): (usize, usize),
+        (parallelism, workers): (Par, &Workers),
+    ) -> Result<()> {
         let all = self.matrix.ncols();
         for j in (0..first).chain(panel_end..all) {
             let column = self.matrix.col_as_slice_mut(j);
@@ -119,11 +121,10 @@ impl PartialLu<'_> {
         let panel = panel.as_ref().subcols(first, count);
         let (_, right) = right.split_at_row_mut(first);
         let (mut upper, rest) = right.split_at_row_mut(count);
-        let lower = panel.subrows(first, count);
-        solve_unit_lower_triangular_in_place(lower, upper.as_mut(), parallelism);
+        let lower = (panel.subrows(first, count), Diagonal::Ones);
+        solve_lower(lower, upper.as_mut(), parallelism, workers)?;
         let below = panel.subrows(self.count, panel.nrows() - self.count);
-        let upper = upper.as_ref();
-        matmul(rest, Accum::Add, below, upper, -1.0, parallelism);
+        subtract_matmul(rest, below, upper.as_ref(), parallelism, workers)
     }
 
     fn exchange_columns(&mut self, a: usize, b: usize) {

@@ -55,8 +55,7 @@ impl PeriodMap {
         let mut equations = Collocation::new(system.clone(), TimeGrid::new(STAGES, period)?)?;
         equations.set_workers(workers.clone());
         let pattern = Pattern::new(system, STAGES);
-        let mut solver = DirectSolver::new(&pattern);
-        solver.set_workers(workers.clone());
+        let solver = DirectSolver::new(&pattern, workers.clone());
         let (length, time) = (system.scales().length, period / TAU);
         let mut scales = Vec::new();
         for _ in 0..system.nodes() {

@@ -2,7 +2,8 @@
 
 use crate::collocation::Panel;
 use crate::solve::linear::front::{Front, elimination_work};
-use crate::solve::linear::ordering::{FrontPlan, plan, with_last};
+use crate::solve::linear::ordering::{FrontPlan, with_last};
+use crate::solve::linear::two_branches::plan_for;
 use crate::workers::parts;
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -20,9 +21,14 @@ pub(super) struct Analysis {
 }
 
 impl Analysis {
-    /// Of unknowns in groups, of which the first are nodes, with these entries.
-    pub fn new(groups: Vec<Range<usize>>, node_groups: usize, panels: Vec<Panel>) -> Self {
-        let plans = Self::plans(&groups, node_groups, &panels);
+    /// Of unknowns in groups, of which the first are nodes, with these entries, for so many
+    /// threads.
+    pub fn new(
+        (groups, node_groups): (Vec<Range<usize>>, usize),
+        panels: Vec<Panel>,
+        threads: usize,
+    ) -> Self {
+        let plans = Self::plans((&groups, node_groups), &panels, threads);
         Self::planned(groups, plans, panels)
     }
 
@@ -31,22 +37,27 @@ impl Analysis {
         (mut groups, node_groups): (Vec<Range<usize>>, usize),
         mut panels: Vec<Panel>,
         (last, between): (Range<usize>, Vec<Panel>),
+        threads: usize,
     ) -> Self {
-        let plans = Self::plans(&groups, node_groups, &panels);
+        let plans = Self::plans((&groups, node_groups), &panels, threads);
         let plans = with_last(plans, groups.len());
         groups.push(last);
         panels.extend(between);
         Self::planned(groups, plans, panels)
     }
 
-    fn plans(groups: &[Range<usize>], node_groups: usize, panels: &[Panel]) -> Vec<FrontPlan> {
+    fn plans(
+        (groups, node_groups): (&[Range<usize>], usize),
+        panels: &[Panel],
+        threads: usize,
+    ) -> Vec<FrontPlan> {
         let mut coupled = vec![BTreeSet::new(); groups.len()];
         for panel in panels {
             coupled[panel.row.0].insert(panel.column.0);
             coupled[panel.column.0].insert(panel.row.0);
         }
         let sizes: Vec<usize> = groups.iter().map(ExactSizeIterator::len).collect();
-        plan(&sizes, &coupled, node_groups)
+        plan_for(threads, &sizes, &coupled, node_groups)
     }
 
     fn planned(groups: Vec<Range<usize>>, plans: Vec<FrontPlan>, all_panels: Vec<Panel>) -> Self {

@@ -1,13 +1,14 @@
 //! A factorisation, front by front, subtrees of them side by side.
 
 use crate::error::Result;
-use crate::solve::linear::dense::largest;
 use crate::solve::linear::direct::analysis::Analysis;
-use crate::solve::linear::front::{Front, FrontWorkspace, LARGE_FRONT, NoPivot, make_zero};
+use crate::solve::linear::direct::sum::Sum;
+use crate::solve::linear::front::{Front, FrontWorkspace, LARGE_FRONT, NoPivot, make_room};
 use crate::workers::{Spare, Workers};
 use faer::{Mat, Par};
-use rayon::iter::{IntoParallelIterator, ParallelIterator};
-use std::iter::once;
+use rayon::iter::{
+    IndexedParallelIterator, IntoParallelIterator, IntoParallelRefMutIterator, ParallelIterator,
+};
 use std::ops::Range;
 
 /// Most forks of the tree of fronts, one above the other, where threads part: each takes memory on
@@ -44,10 +45,24 @@ impl<'a> Factorisation<'a> {
         self.workers.dense(|parallelism| match parallelism {
             Par::Seq => self.factor_in_order(0..fronts.len(), (0, fronts), parallelism),
             Par::Rayon(_) => {
+                self.make_room(fronts)?;
                 let subtrees = self.analysis.split(&self.analysis.roots(), fronts);
                 self.factor_all(subtrees, MOST_FORKS, parallelism)
             }
         })
+    }
+
+    /// Makes room for the factors of fronts that have none yet, side by side: memory that is
+    /// touched first takes time.
+    fn make_room(&self, fronts: &mut [Front]) -> Result<()> {
+        let size = |groups: &[usize]| self.analysis.size_of(groups);
+        let all = fronts.par_iter_mut().zip(&self.analysis.plans);
+        all.filter(|(front, _)| front.numbers() == 0)
+            .try_for_each(|(front, plan)| {
+                let (own, rest) = (size(&plan.own), size(&plan.boundary));
+                make_room(&mut front.upper, own, own + rest)?;
+                make_room(&mut front.lower, rest, own)
+            })
     }
 
     /// Factors subtrees, each with its fronts, in parallel. `false` if a singular front has no
@@ -144,7 +159,8 @@ impl<'a> Factorisation<'a> {
             size += analysis.groups[g].len();
         }
         let assemble = |front: &mut Front, place: &[usize]| {
-            self.assemble(f, (first, &*before), place, (front, size))
+            let sum = Sum::new((analysis, self.values), f, (first, &*before), place);
+            sum.write(front, size, (parallelism, self.workers))
         };
         let no_pivot = match plan.parent {
             Some(_) => NoPivot::Waits(self.smallest_pivot),
@@ -156,78 +172,6 @@ impl<'a> Factorisation<'a> {
         for &child in &plan.children {
             before[child - first].remainder = Mat::new();
         }
-        // Where the entries have just been read.
-        front.largest_entry = 0.0;
-        for panel in &analysis.panels[f] {
-            for column in 0..panel.columns {
-                let entries = &self.values[panel.value + column * panel.stride..][..panel.rows];
-                front.largest_entry = front.largest_entry.max(largest(entries));
-            }
-        }
         Ok(true)
-    }
-
-    /// Sums up front `f` of `size` unknowns from the matrix and what is left of the fronts that
-    /// lead to it, which are among `fronts` from front `first` on. Group `g` begins at `place[g]`.
-    fn assemble(
-        &self,
-        f: usize,
-        (first, fronts): (usize, &[Front]),
-        place: &[usize],
-        (front, size): (&mut Front, usize),
-    ) -> Result<()> {
-        let analysis = self.analysis;
-        let plan = &analysis.plans[f];
-        let count = front.rows.len();
-        let rest = size - count;
-        make_zero(&mut front.upper, count, size)?;
-        make_zero(&mut front.lower, rest, count)?;
-        make_zero(&mut front.remainder, rest, rest)?;
-        // Part of a column, of rows that belong together.
-        let mut part =
-            |row: usize, column: usize, length: usize, work: &mut dyn FnMut(&mut [f64])| {
-                let whole = if row < count {
-                    &mut front.upper.col_as_slice_mut(column)[row..]
-                } else if column < count {
-                    &mut front.lower.col_as_slice_mut(column)[row - count..]
-                } else {
-                    &mut front.remainder.col_as_slice_mut(column - count)[row - count..]
-                };
-                work(&mut whole[..length]);
-            };
-        for panel in &analysis.panels[f] {
-            let row = place[panel.row.0] + panel.row.1;
-            let first = place[panel.column.0] + panel.column.1;
-            for column in 0..panel.columns {
-                let entries = &self.values[panel.value + column * panel.stride..][..panel.rows];
-                part(row, first + column, panel.rows, &mut |to| {
-                    to.copy_from_slice(entries);
-                });
-            }
-        }
-        // Behind the own groups comes what the fronts that lead here have delayed.
-        let mut delayed_place = analysis.size_of(&plan.own);
-        for &child in &plan.children {
-            let delayed = fronts[child - first].delayed_rows.len();
-            let groups = &analysis.plans[child].boundary;
-            let groups = groups.iter().map(|&g| (place[g], analysis.groups[g].len()));
-            let parts: Vec<(usize, usize)> = once((delayed_place, delayed)).chain(groups).collect();
-            delayed_place += delayed;
-            let remainder = &fronts[child - first].remainder;
-            let columns = parts
-                .iter()
-                .flat_map(|&(place, length)| place..place + length);
-            for (source_column, column) in columns.enumerate() {
-                let mut source = remainder.col_as_slice(source_column);
-                for &(row, length) in &parts {
-                    let (entries, others) = source.split_at(length);
-                    source = others;
-                    part(row, column, length, &mut |to| {
-                        to.iter_mut().zip(entries).for_each(|(t, s)| *t += s);
-                    });
-                }
-            }
-        }
-        Ok(())
     }
 }

@@ -6,6 +6,7 @@ mod analysis;
 mod columns;
 mod factorisation;
 mod substitution;
+mod sum;
 mod with_borders;
 
 pub use columns::Columns;
@@ -64,14 +65,22 @@ pub struct DirectSolver {
 }
 
 impl DirectSolver {
-    /// Orders and analyses matrices of `pattern`.
-    pub fn new(pattern: &Pattern) -> Self {
-        Self::of_panels(pattern.groups(), pattern.node_groups(), pattern.panels())
+    /// Orders and analyses matrices of `pattern`, for these threads, which share the work of
+    /// factorisations and substitutions.
+    pub fn new(pattern: &Pattern, workers: Workers) -> Self {
+        let groups = (pattern.groups(), pattern.node_groups());
+        Self::of_panels(groups, pattern.panels(), workers)
     }
 
-    /// For matrices of unknowns in groups, of which the first are nodes, with these entries.
-    pub fn of_panels(groups: Vec<Range<usize>>, node_groups: usize, panels: Vec<Panel>) -> Self {
-        Self::with(Arc::new(Analysis::new(groups, node_groups, panels)))
+    /// The same for matrices of unknowns in groups, of which the first are nodes, with these
+    /// entries.
+    pub fn of_panels(
+        groups: (Vec<Range<usize>>, usize),
+        panels: Vec<Panel>,
+        workers: Workers,
+    ) -> Self {
+        let analysis = Analysis::new(groups, panels, workers.threads());
+        Self::with(Arc::new(analysis), workers)
     }
 
     /// What a factorisation takes, as planned.
@@ -85,28 +94,20 @@ impl DirectSolver {
 
     /// Another one for matrices of the same pattern.
     pub fn another(&self) -> Self {
-        DirectSolver {
-            workers: self.workers.clone(),
-            ..Self::with(self.analysis.clone())
-        }
+        Self::with(self.analysis.clone(), self.workers.clone())
     }
 
-    fn with(analysis: Arc<Analysis>) -> Self {
+    fn with(analysis: Arc<Analysis>, workers: Workers) -> Self {
         DirectSolver {
             fronts: analysis.plans.iter().map(|_| Front::empty()).collect(),
             analysis,
-            workers: Workers::default(),
+            workers,
             factored: false,
             largest_entry: 0.0,
             accurate: false,
             correction: f64::INFINITY,
             smallest_pivot: SMALLEST_PIVOT,
         }
-    }
-
-    /// Shares the work of factorisations and substitutions among these threads.
-    pub fn set_workers(&mut self, workers: Workers) {
-        self.workers = workers;
     }
 
     /// Factors the matrix with these values. `false` if it is singular.
@@ -474,7 +475,7 @@ mod tests {
             let Linearised {
                 pattern, values, ..
             } = Linearised::new(model, period, points, |_| 0.0);
-            let mut solver = DirectSolver::new(&pattern);
+            let mut solver = DirectSolver::new(&pattern, Workers::default());
             assert!(solver.factor(&values).unwrap());
             let count = pattern.size();
             let exact: Vec<f64> = (0..count).map(|i| (0.7 * i as f64).sin()).collect();
@@ -533,8 +534,7 @@ mod tests {
             let size = pattern.size();
             let exact = Mat::from_fn(size, 1, |i, _| (0.7 * i as f64).sin());
             let rhs = &dense * &exact;
-            let mut solver = DirectSolver::new(&pattern);
-            solver.set_workers(Workers::new(threads).unwrap());
+            let mut solver = DirectSolver::new(&pattern, Workers::new(threads).unwrap());
             assert!(solver.factor(&values).unwrap());
             assert!(
                 solver.fronts.iter().any(|f| !f.delayed_rows.is_empty()),

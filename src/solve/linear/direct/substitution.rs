@@ -4,11 +4,12 @@
 use super::DirectSolver;
 use crate::collocation::Panel;
 use crate::solve::linear::dense::{solve_unit_lower, solve_upper, subtract_product};
+use crate::solve::linear::ordering::FrontPlan;
 use crate::work::SUBSTITUTION;
 use crate::workers::Workers;
 use std::ops::Range;
 
-/// Subtrees that fronts are divided into, if there are as many.
+/// Most subtrees that fronts are divided into.
 const SUBTREES: usize = 16;
 /// Columns of a triangle after which the rows beyond are shared.
 const BLOCK: usize = 256;
@@ -40,7 +41,7 @@ impl DirectSolver {
     }
 
     pub(super) fn solve_shared(&self, rhs: &mut [f64], workers: &Workers) {
-        let (mut subtrees, above) = self.divided();
+        let (mut subtrees, above) = self.divided(workers.threads());
         let alone = workers.alone();
         let all = &*rhs;
         workers.each(&mut subtrees, |_, subtree| {
@@ -99,27 +100,15 @@ impl DirectSolver {
         &self.analysis.plans[subtree.fronts.end - 1].boundary
     }
 
-    /// Subtrees of about as many numbers, and the fronts that they lead to, in order.
-    fn divided(&self) -> (Vec<Subtree>, Vec<usize>) {
+    /// Subtrees that so many threads share, and the fronts that they lead to, in order.
+    fn divided(&self, threads: usize) -> (Vec<Subtree>, Vec<usize>) {
         let plans = &self.analysis.plans;
         let mut numbers: Vec<usize> = Vec::with_capacity(plans.len());
         for (front, plan) in self.fronts.iter().zip(plans) {
             let below: usize = plan.children.iter().map(|&child| numbers[child]).sum();
             numbers.push(below + front.numbers());
         }
-        let mut roots = self.analysis.roots();
-        let mut above = Vec::new();
-        let enough = roots.iter().map(|&root| numbers[root]).sum::<usize>() / SUBTREES;
-        while roots.len() < SUBTREES {
-            let divisible = (0..roots.len()).filter(|&i| !plans[roots[i]].children.is_empty());
-            let largest = divisible.max_by_key(|&i| numbers[roots[i]]);
-            let Some(i) = largest.filter(|&i| numbers[roots[i]] > enough) else {
-                break;
-            };
-            let root = roots.swap_remove(i);
-            roots.extend(&plans[root].children);
-            above.push(root);
-        }
+        let (mut roots, mut above) = divided((plans, &numbers), &self.analysis.roots(), threads);
         roots.sort_unstable();
         above.sort_unstable();
         let subtree = |root: usize| Subtree {
@@ -209,6 +198,47 @@ impl DirectSolver {
     }
 }
 
+/// Roots of subtrees, and the fronts above them, in no order: the largest is divided as long as
+/// that leaves threads less to wait for, fronts above included, which they go through together.
+/// `numbers` are those of each front with all that lead to it.
+fn divided(
+    (plans, numbers): (&[FrontPlan], &[usize]),
+    all: &[usize],
+    threads: usize,
+) -> (Vec<usize>, Vec<usize>) {
+    let total: usize = all.iter().map(|&root| numbers[root]).sum();
+    let divide = |roots: &mut Vec<usize>, above: &mut Vec<usize>| {
+        let divisible = (0..roots.len()).filter(|&i| !plans[roots[i]].children.is_empty());
+        let largest = divisible.max_by_key(|&i| numbers[roots[i]]);
+        let few = roots.len() < SUBTREES;
+        let large = largest.filter(|&i| few && numbers[roots[i]] > total / SUBTREES);
+        large.map(|i| {
+            let root = roots.swap_remove(i);
+            roots.extend(&plans[root].children);
+            above.push(root);
+        })
+    };
+    let (mut roots, mut above) = (all.to_vec(), Vec::new());
+    let (mut best, mut least) = (0, f64::INFINITY);
+    loop {
+        let below: usize = roots.iter().map(|&root| numbers[root]).sum();
+        let largest = roots.iter().map(|&root| numbers[root]).max();
+        let (below, largest) = (below as f64, largest.unwrap_or(0) as f64);
+        // Of subtrees the largest may come last.
+        let share = 1.0 / threads as f64;
+        let wait = total as f64 - below + share * below + (1.0 - share) * largest;
+        if wait < least {
+            (best, least) = (above.len(), wait);
+        }
+        if divide(&mut roots, &mut above).is_none() {
+            break;
+        }
+    }
+    (roots, above) = (all.to_vec(), Vec::new());
+    while above.len() < best && divide(&mut roots, &mut above).is_some() {}
+    (roots, above)
+}
+
 /// `y −= A x`, for the matrix with these columns, rows shared among threads.
 fn subtract<'a>(
     workers: &Workers,
@@ -284,6 +314,33 @@ mod tests {
         for (alone, shared) in by(&workers.alone()).iter().zip(&by(&workers)) {
             let off: Vec<f64> = alone.iter().zip(shared).map(|(a, b)| a - b).collect();
             assert!(largest(&off) < 1e-13 * largest(alone));
+        }
+    }
+    /// A last front that two chains of so many lead to, each with a small one beside its first.
+    #[test]
+    fn chains_are_divided_where_they_meet_and_no_farther() {
+        let count = 40;
+        let mut plans: Vec<FrontPlan> = Vec::new();
+        let mut numbers = Vec::new();
+        let mut add = |children: &[usize], own: usize| {
+            numbers.push(own + children.iter().map(|&c| numbers[c]).sum::<usize>());
+            plans.push(FrontPlan {
+                own: Vec::new(),
+                boundary: Vec::new(),
+                children: children.to_vec(),
+                parent: None,
+            });
+            plans.len() - 1
+        };
+        let mut chain = || {
+            let leaves = [add(&[], 1), add(&[], 1)];
+            (0..count).fold(add(&leaves, 100), |last, _| add(&[last], 100))
+        };
+        let ends = [chain(), chain()];
+        let last = add(&ends, 100);
+        for threads in [2, 4] {
+            let (roots, above) = divided((&plans, &numbers), &[last], threads);
+            assert_eq!((&roots[..], &above[..]), (&ends[..], &[last][..]));
         }
     }
 }

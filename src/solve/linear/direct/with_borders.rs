@@ -46,9 +46,13 @@ impl WithBorders {
         }
         between.push(panel([last; 2], [count; 2], first + size, long));
         let (panels, nodes) = (pattern.panels(), pattern.node_groups());
-        let analysis = Analysis::bordered((groups, nodes), panels, (size..long, between));
-        let mut solver = DirectSolver::with(Arc::new(analysis));
-        solver.set_workers(workers);
+        let analysis = Analysis::bordered(
+            (groups, nodes),
+            panels,
+            (size..long, between),
+            workers.threads(),
+        );
+        let solver = DirectSolver::with(Arc::new(analysis), workers);
         WithBorders {
             solver,
             size,

@@ -1,10 +1,10 @@
 //! Dense LU, in place.
 
 use crate::error::Result;
-use crate::solve::linear::blocks;
+use crate::solve::linear::{blocks, lu};
 use crate::workers::Workers;
 use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::linalg::lu::partial_pivoting::{factor, solve};
+use faer::linalg::lu::partial_pivoting::solve;
 use faer::perm::PermRef;
 use faer::{Mat, MatMut, Par};
 
@@ -41,20 +41,12 @@ impl DenseLu {
     pub fn new(mut matrix: Mat<f64>, workers: &Workers) -> Result<Option<Self>> {
         let size = matrix.nrows();
         let mut permutation = vec![0usize; size];
+        let regular = |_: usize, pivot: f64| pivot > 0.0 && pivot.is_finite();
+        let regular = workers
+            .dense(|par| lu::factor(matrix.as_mut(), &mut permutation, regular, (par, workers)))?;
         let mut inverse = vec![0usize; size];
-        workers.dense(|par| {
-            let scratch =
-                factor::lu_in_place_scratch::<usize, f64>(size, size, par, Default::default());
-            blocks::lu(
-                matrix.as_mut(),
-                &mut permutation,
-                &mut inverse,
-                par,
-                &mut MemBuffer::new(scratch),
-                workers,
-            )
-        })?;
-        let regular = (0..size).all(|i| matrix[(i, i)] != 0.0 && matrix[(i, i)].is_finite());
+        let rows = permutation.iter().enumerate();
+        rows.for_each(|(i, &row)| inverse[row] = i);
         let scratch = solve::solve_in_place_scratch::<usize, f64>(size, 1, Par::Seq);
         Ok(regular.then(|| DenseLu {
             factors: matrix,

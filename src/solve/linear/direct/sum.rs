@@ -1,0 +1,157 @@
+//! A front summed up from the matrix and what is left of the fronts that lead to it, in strips of
+//! columns side by side.
+
+use crate::collocation::Panel;
+use crate::error::Result;
+use crate::solve::linear::blocks::strips;
+use crate::solve::linear::dense::largest;
+use crate::solve::linear::direct::analysis::Analysis;
+use crate::solve::linear::front::{Front, make_room};
+use crate::workers::Workers;
+use faer::{Mat, MatMut, Par};
+use std::iter::once;
+use std::ops::Range;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Numbers of a strip.
+const STRIP: usize = 1 << 16;
+
+/// What is left of a front that leads here.
+struct Child<'a> {
+    remainder: &'a Mat<f64>,
+    /// Where its rows and columns belong, and how many come together.
+    places: Vec<(usize, usize)>,
+}
+
+/// What a front is the sum of.
+pub(super) struct Sum<'a> {
+    values: &'a [f64],
+    panels: &'a [Panel],
+    /// Where each group begins.
+    place: &'a [usize],
+    children: Vec<Child<'a>>,
+    /// Bits of the largest entry of the matrix: those of what is not negative are in order.
+    largest: AtomicU64,
+}
+
+impl<'a> Sum<'a> {
+    /// Of front `f`; what leads to it is among `fronts` from front `first` on. Group `g` begins at
+    /// `place[g]`.
+    pub fn new(
+        (analysis, values): (&'a Analysis, &'a [f64]),
+        f: usize,
+        (first, fronts): (usize, &'a [Front]),
+        place: &'a [usize],
+    ) -> Self {
+        let plan = &analysis.plans[f];
+        // Behind the own groups comes what the fronts that lead here have delayed.
+        let mut delayed_place = analysis.size_of(&plan.own);
+        let children = plan.children.iter().map(|&child| {
+            let front = &fronts[child - first];
+            let delayed = front.delayed_rows.len();
+            let groups = analysis.plans[child].boundary.iter();
+            let groups = groups.map(|&g| (place[g], analysis.groups[g].len()));
+            let places = once((delayed_place, delayed)).chain(groups).collect();
+            delayed_place += delayed;
+            Child {
+                remainder: &front.remainder,
+                places,
+            }
+        });
+        Sum {
+            values,
+            panels: &analysis.panels[f],
+            place,
+            children: children.collect(),
+            largest: AtomicU64::new(0),
+        }
+    }
+
+    /// Writes the sum to `front`, of `size` unknowns and with its rows known.
+    ///
+    /// # Errors
+    /// If memory runs out, or work is to end.
+    pub fn write(&self, front: &mut Front, size: usize, shared: (Par, &Workers)) -> Result<()> {
+        let count = front.rows.len();
+        let rest = size - count;
+        make_room(&mut front.upper, count, size)?;
+        make_room(&mut front.lower, rest, count)?;
+        make_room(&mut front.remainder, rest, rest)?;
+        self.largest.store(0, Ordering::Relaxed);
+        let width = (STRIP / size.max(1)).max(1);
+        let Front {
+            upper,
+            lower,
+            remainder,
+            ..
+        } = front;
+        let (left, right) = upper.as_mut().split_at_col_mut(count);
+        for (first, upper, below) in [(0, left, lower), (count, right, remainder)] {
+            let columns = (upper, below.as_mut());
+            strips(columns, width, shared, &|column, (upper, below)| {
+                self.write_strip(first + column, upper, below);
+                Ok(())
+            })?;
+        }
+        front.largest_entry = f64::from_bits(self.largest.load(Ordering::Relaxed));
+        Ok(())
+    }
+
+    /// Writes columns from `first` on: their own rows of the front, and those below.
+    fn write_strip(&self, first: usize, mut upper: MatMut<f64>, mut below: MatMut<f64>) {
+        let (own, columns) = (upper.nrows(), first..first + upper.ncols());
+        for column in 0..upper.ncols() {
+            slice(&mut upper, column).fill(0.0);
+            slice(&mut below, column).fill(0.0);
+        }
+        // Part of a column, of rows that belong together.
+        let mut part =
+            |row: usize, column: usize, length: usize, work: &mut dyn FnMut(&mut [f64])| {
+                let (to, row) = match row < own {
+                    true => (slice(&mut upper, column - first), row),
+                    false => (slice(&mut below, column - first), row - own),
+                };
+                work(&mut to[row..][..length]);
+            };
+        let mut most = 0.0f64;
+        for panel in self.panels {
+            let row = self.place[panel.row.0] + panel.row.1;
+            let start = self.place[panel.column.0] + panel.column.1;
+            for column in within(&columns, start, panel.columns) {
+                let from = panel.value + (column - start) * panel.stride;
+                let entries = &self.values[from..][..panel.rows];
+                most = most.max(largest(entries));
+                part(row, column, panel.rows, &mut |to| {
+                    to.copy_from_slice(entries);
+                });
+            }
+        }
+        self.largest.fetch_max(most.to_bits(), Ordering::Relaxed);
+        for Child { remainder, places } in &self.children {
+            let mut source = 0;
+            for &(start, length) in places {
+                for column in within(&columns, start, length) {
+                    let mut entries = remainder.col_as_slice(source + column - start);
+                    for &(row, length) in places {
+                        let (now, others) = entries.split_at(length);
+                        entries = others;
+                        part(row, column, length, &mut |to| {
+                            to.iter_mut().zip(now).for_each(|(t, s)| *t += s);
+                        });
+                    }
+                }
+                source += length;
+            }
+        }
+    }
+}
+
+/// Those of so many columns from `start` on that are among these.
+fn within(columns: &Range<usize>, start: usize, count: usize) -> Range<usize> {
+    columns.start.max(start)..columns.end.min(start + count)
+}
+
+fn slice<'m>(matrix: &'m mut MatMut<f64>, column: usize) -> &'m mut [f64] {
+    let column = matrix.as_mut().col_mut(column).try_as_col_major_mut();
+    column.map_or(&mut [], |column| column.as_slice_mut())
+}
