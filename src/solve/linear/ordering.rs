@@ -92,16 +92,18 @@ fn elimination_with_late(
     for &g in late {
         (is_late[g], weights[g]) = (true, LATE * sizes[g]);
     }
+    // Of equals the one farthest from what comes late, if anything does.
+    let far: Vec<_> = distances(coupled, late).into_iter().map(Reverse).collect();
     let mut graph = QuotientGraph::new(&weights, coupled);
     // Length of the longest way to each front from the leaves of the tree.
     let mut height = vec![0; sizes.len()];
     // Those that do not wait, least first; what has changed since it was put here is there again.
     let ready = (0..sizes.len()).filter(|&g| waiting[g] == 0);
     let mut queue: BinaryHeap<_> = ready
-        .map(|g| Reverse((is_late[g], graph.degrees[g], height[g], g)))
+        .map(|g| Reverse((is_late[g], graph.degrees[g], far[g], height[g], g)))
         .collect();
     let mut fronts: Vec<FrontPlan> = Vec::new();
-    while let Some(Reverse((_, degree, high, next))) = queue.pop() {
+    while let Some(Reverse((_, degree, _, high, next))) = queue.pop() {
         if graph.eliminated[next] || (degree, high) != (graph.degrees[next], height[next]) {
             continue;
         }
@@ -112,7 +114,13 @@ fn elimination_with_late(
             }
             height[a] = height[a].max(high + 1);
             if waiting[a] == 0 {
-                queue.push(Reverse((is_late[a], graph.degrees[a], height[a], a)));
+                queue.push(Reverse((
+                    is_late[a],
+                    graph.degrees[a],
+                    far[a],
+                    height[a],
+                    a,
+                )));
             }
         }
         fronts.push(FrontPlan {
@@ -123,6 +131,25 @@ fn elimination_with_late(
         });
     }
     fronts
+}
+
+/// Couplings from some groups to each; 0 too where none lead there.
+fn distances(coupled: &[BTreeSet<usize>], from: &[usize]) -> Vec<usize> {
+    let mut distances = vec![0; coupled.len()];
+    let mut met = vec![false; coupled.len()];
+    let mut reached = from.to_vec();
+    reached.iter().for_each(|&g| met[g] = true);
+    let mut next = 0;
+    while let Some(&group) = reached.get(next) {
+        next += 1;
+        for &other in &coupled[group] {
+            if !std::mem::replace(&mut met[other], true) {
+                distances[other] = distances[group] + 1;
+                reached.push(other);
+            }
+        }
+    }
+    distances
 }
 
 /// Which groups are coupled with each other as elimination goes on: those that were at first, and
