@@ -214,7 +214,7 @@ impl Tangent {
     }
 
     /// The rule that velocities and accelerations of products follow.
-    fn rule<'a>(&'a self, equations: &'a Collocation) -> &'a dyn TimeRule {
+    pub fn rule<'a>(&'a self, equations: &'a Collocation) -> &'a dyn TimeRule {
         self.rule.as_deref().unwrap_or(&*equations.rule)
     }
 

@@ -39,8 +39,14 @@ impl Factors {
             Preconditioner::BodyCirculant => circulant(Joints::Exact),
             Preconditioner::Circulant => circulant(Joints::Averaged),
             Preconditioner::TimeLocal => {
-                let factors = TimeLocal::new(equations, tangent, transposed);
-                Ok(factors.map(|f| Factors::Local(Box::new(f))))
+                let Some(mut factors) = TimeLocal::new(equations, tangent, transposed) else {
+                    return Ok(None);
+                };
+                let mapped = !equations.grid().map().is_identity();
+                if mapped && !transposed {
+                    factors = factors.with_soft_motions(equations, tangent)?;
+                }
+                Ok(Some(Factors::Local(Box::new(factors))))
             }
         }
     }

@@ -70,7 +70,7 @@ enum Factors {
 }
 
 /// Multiply-adds of a dense system.
-fn dense_work(size: usize) -> f64 {
+pub(super) fn dense_work(size: usize) -> f64 {
     (size as f64).powi(3) / 3.0
 }
 

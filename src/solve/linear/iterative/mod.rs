@@ -10,7 +10,8 @@
 //!   side, in `projection` those of like blades, in
 //!   `resultants` those of stress resultants, in `interface` the system of the joints that turn.
 //! * `transposed`: the transposed equations, by the transposes of these.
-//! * `time_local`: equilibrium at each grid point by itself.
+//! * `time_local`: equilibrium at each grid point by itself; in `soft_motions` what that leaves out
+//!   of the softest motions there.
 //! * Both factor small sparse matrices with blocks where `layout` says, by `block_lu`, several side
 //!   by side in `lanes`, or by `fronts` where they fill as those of meshes do.
 //! * `spread`: these over ranks, each with some of the nodes; `spread_harmonics`, `spread_time`.
@@ -45,6 +46,7 @@ mod projected;
 mod projection;
 mod record;
 mod resultants;
+mod soft_motions;
 mod spread;
 mod spread_factors;
 mod spread_harmonics;

@@ -5,7 +5,9 @@ use super::block_lu::{BlockLanes, Scratch};
 use super::constraints::{Class, classify_at};
 use super::lanes::{LANES, Lanes, RealLanes};
 use super::layout::{Layout, Region};
+use super::soft_motions::SoftMotions;
 use crate::collocation::{Collocation, Tangent};
+use crate::error::Result;
 use crate::workers::Workers;
 
 /// The preconditioner, factored.
@@ -16,6 +18,7 @@ pub(super) struct TimeLocal {
     factors: Vec<BlockLanes<RealLanes>>,
     lanes: Vec<Vec<RealLanes>>,
     workspaces: Vec<Scratch<RealLanes>>,
+    soft: Option<SoftMotions>,
 }
 
 impl TimeLocal {
@@ -56,16 +59,38 @@ impl TimeLocal {
             workers,
             layout,
             factors,
+            soft: None,
         })
+    }
+
+    /// Takes inertia and damping of the softest motions into account, if that can be done.
+    ///
+    /// # Errors
+    /// If memory runs out, or work is to end.
+    pub fn with_soft_motions(mut self, equations: &Collocation, tangent: &Tangent) -> Result<Self> {
+        self.soft = SoftMotions::new(equations, tangent, &mut |x| self.apply_alone(x))?;
+        Ok(self)
     }
 
     /// Bytes that the factors take.
     pub fn bytes(&self) -> usize {
-        self.factors.iter().map(BlockLanes::bytes).sum()
+        let soft = self.soft.as_ref().map_or(0, SoftMotions::bytes);
+        soft + self.factors.iter().map(BlockLanes::bytes).sum::<usize>()
     }
 
     /// `x = P⁻¹ x`.
     pub fn apply(&mut self, x: &mut [f64]) {
+        if let Some(soft) = &mut self.soft {
+            soft.find(x);
+        }
+        self.apply_alone(x);
+        if let Some(soft) = &self.soft {
+            soft.add(x);
+        }
+    }
+
+    /// The same of equilibrium alone.
+    pub fn apply_alone(&mut self, x: &mut [f64]) {
         let (layout, factors, last) = (&self.layout, &self.factors, self.points - 1);
         let (given, workers) = (&*x, &self.workers);
         workers.for_each(
