@@ -3,9 +3,10 @@
 mod common;
 
 use common::converged;
-use common::models::sharp::{Sharp, end_stop};
+use common::models::beams::slider_crank;
+use common::models::sharp::{Sharp, end_stop, snapping_four_bar};
 use periodyn::model::Model;
-use periodyn::output::{NodeQuantity, Solution};
+use periodyn::output::{BeamQuantity, NodeQuantity, Solution};
 use periodyn::solve::*;
 
 fn on(sharp: &Sharp, points: usize, mapped: bool) -> Solution {
@@ -67,4 +68,54 @@ fn sharp_motions_converge_faster_on_mapped_grids() {
     // 2.4 was measured on 31 to 135 points.
     assert!(rates[1] > 2.0 * rates[0], "{errors:?} {rates:?}");
     assert!(errors[1][3] < 0.05 * errors[0][3], "{errors:?}");
+}
+
+fn by_itself(model: &Model, period: f64, error_tolerance: f64) -> Solution {
+    let options = PeriodicOptions {
+        time_map: TimeMapping::Automatic,
+        work_limit: 0.0,
+        threads: 2,
+        grid_points: GridPoints::Adaptive(Adaptation {
+            error_tolerance,
+            largest: 401,
+            ..Adaptation::default()
+        }),
+        ..PeriodicOptions::default()
+    };
+    converged(Solution::solve(model, period, &options, &mut |_, _| true).unwrap())
+}
+
+#[test]
+fn narrow_peaks_are_found_and_resolved_without_being_named() {
+    let elements = 5;
+    let sharp = snapping_four_bar(elements, 1e-3);
+    let solution = by_itself(&sharp.model, sharp.period, 1e-4);
+    let events = solution.grid().map().events(1.0);
+    // Both peaks, by 601 points about the events that suit the model.
+    for (at, exact) in [(0.25, -5483.80), (0.75, -5953.18)] {
+        assert!(
+            events.iter().any(|e| (e.time - at).abs() < 0.01),
+            "{events:?}"
+        );
+        let near: Vec<f64> = (-2000..=2000)
+            .map(|i| sharp.period * (at + 1e-5 * f64::from(i)))
+            .collect();
+        let force = solution.beam(elements / 2, 0.0, BeamQuantity::Force, &near);
+        let peak = force
+            .unwrap()
+            .iter()
+            .step_by(6)
+            .copied()
+            .fold(0.0, f64::min);
+        println!("{at} {peak} on {} points", solution.grid().points());
+        assert!((peak / exact - 1.0).abs() < 1e-3, "{at}: {peak}");
+    }
+}
+
+#[test]
+fn grids_of_smooth_motions_are_left_as_they_are() {
+    let period = 0.1;
+    let model = slider_crank(2, 2, period);
+    let solution = by_itself(&model, period, 1e-8);
+    assert!(solution.grid().map().is_identity(), "{}", solution.report());
 }

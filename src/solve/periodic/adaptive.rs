@@ -2,7 +2,6 @@
 //! See docs/theory.md, section 10.4.
 
 use super::Periodic;
-use super::sharp::{Sharper, sharper};
 use crate::collocation::{Decay, DecayKind, GridState};
 use crate::error::{Error, ErrorKind, Result, require_positive_number};
 use crate::fourier::TimeGrid;
@@ -12,7 +11,6 @@ use crate::solve::report::Outcome;
 use crate::solve::result::{Assessment, GridTried};
 use crate::solve::starts::{PATIENCE, affords_more};
 use crate::system::System;
-use std::time::Instant;
 
 /// When to stop making grids finer.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -59,19 +57,13 @@ const LEFT_BY_GUESS: f64 = 1e-5;
 /// the response: the slow motion of a mechanism.
 const SLOW: f64 = 0.001;
 /// A larger error is that of a grid which is far too coarse.
-const UNRESOLVED: f64 = 0.01;
+pub(super) const UNRESOLVED: f64 = 0.01;
 /// A measured error this many times its estimate shows that the decay deceives.
 const DECEIVED: f64 = 10.0;
 /// A difference of solutions that is larger is none of rounding.
 const ROUNDING: f64 = 1e-10;
 /// A deviation from rest or from a steady turn that is none.
 const AT_REST: f64 = 1e-13;
-/// A grid of fewer points tells little of where a motion is sharp, and costs little.
-const LEAST_MAPPED: usize = 41;
-/// The next grid has so many times the points where harmonics fall slowly.
-const MUCH_FINER: f64 = 1.5;
-/// A mapped grid has this part of the points at least that told of the map.
-const LEAST_PART: f64 = 0.75;
 /// From this number of points on they are chosen for quick Fourier transforms.
 const LARGE: usize = 64;
 
@@ -196,7 +188,7 @@ impl Adaptation {
 }
 
 /// An odd number of at least `points` that has quick Fourier transforms.
-fn quick(points: usize) -> usize {
+pub(super) fn quick(points: usize) -> usize {
     let mut candidate = points | 1;
     if candidate < LARGE {
         return candidate;
@@ -248,6 +240,17 @@ enum Next {
     Refine(usize),
 }
 
+impl Next {
+    /// Points that would be wanted after so many.
+    fn wanted(&self, points: usize) -> Option<f64> {
+        match self {
+            Next::Accept | Next::Miss(_) => None,
+            Next::Exhausted(_) => Some(GROWTH[2] * points as f64),
+            Next::Refine(next) => Some(*next as f64),
+        }
+    }
+}
+
 /// That the tolerance is missed on so many points, and why nothing is done about it.
 fn describe_missed(
     found: &Assessment,
@@ -293,9 +296,11 @@ impl Periodic<'_> {
                 iterations: report.iterations.len(),
                 error_estimate: found.error,
             });
+            self.keep_if_best(&state, found.error);
             let missed = |why: &str| describe_missed(&found, points, &adaptation, why);
             let next = self.after(&adaptation, &found, deceivable);
-            let sharper = self.sharper_grid(&adaptation, &found, &next, &state)?;
+            let wanted = next.wanted(points);
+            let sharper = self.sharper_grid(&adaptation, &found, wanted, &state)?;
             let fine = match (next, sharper) {
                 (Next::Accept, _) => break,
                 (_, Some(grid)) => grid,
@@ -318,13 +323,18 @@ impl Periodic<'_> {
                 }
                 start => start?,
             };
-            let (fine, fine_report) = match &start {
-                Some(start) => self.find_from_carried(start.clone(), found.error)?,
-                None => self.starts.solve(&mut self.on)?,
-            };
+            let (fine, fine_report) = self.find_on_finer(start.as_ref(), found.error)?;
             // That constraints contradict each other may show between the points of a coarse grid
             // only.
             let is_spent = fine_report.outcome == Outcome::WorkLimit;
+            let newly_mapped = coarse.map() != self.on.grid.map();
+            if newly_mapped && !is_spent && !fine_report.outcome.is_final() {
+                // Without a map there may be one.
+                self.maps.left = 0;
+                self.grids.pop();
+                self.on.move_to(coarse)?;
+                continue;
+            }
             if is_spent || !fine_report.outcome.is_final() {
                 let (tried, how) = (self.on.grid.points(), fine_report.outcome.describe());
                 report.outcome = Outcome::ToleranceNotMet;
@@ -336,7 +346,7 @@ impl Periodic<'_> {
             before = start.map(|state| Before { estimate, state });
             (state, report) = (fine, fine_report);
         }
-        Ok((state, report))
+        self.best_of((state, report))
     }
 
     /// What to do after a solution with this assessment.
@@ -368,36 +378,22 @@ impl Periodic<'_> {
         Next::Exhausted(format!("no more than {most} grid points are allowed{why}"))
     }
 
-    /// A grid with its points closer together where the motion is sharp, if its harmonics fall
-    /// slowly and would end much earlier there.
-    fn sharper_grid(
-        &mut self,
-        adaptation: &Adaptation,
-        found: &Assessment,
-        next: &Next,
-        state: &GridState,
-    ) -> Result<Option<TimeGrid>> {
-        let grid = self.on.grid;
-        let points = grid.points();
-        let wanted = match next {
-            Next::Accept | Next::Miss(_) => return Ok(None),
-            Next::Exhausted(_) => GROWTH[2] * points as f64,
-            Next::Refine(next) => *next as f64,
-        };
-        let few = points < LEAST_MAPPED || wanted < MUCH_FINER * points as f64;
-        if self.maps_left == 0 || few || found.unheld.is_some() {
-            return Ok(None);
+    /// A solution on a finer grid, which that on the one before is carried to.
+    fn find_on_finer(&mut self, carried: Option<&GridState>, error: f64) -> Result<Found> {
+        if let Some(rest) = self.near_rest(error)? {
+            self.on.newton.patience = Some(PATIENCE);
+            let found = self.on.solve(rest);
+            self.on.newton.patience = None;
+            let found = found?;
+            if found.1.outcome.is_final() {
+                return Ok(found);
+            }
+            self.on.begin_again()?;
         }
-        let began = Instant::now();
-        let sharper = sharper(&self.on.system, grid, state);
-        self.on.newton.timings.estimates += began.elapsed();
-        let Some(Sharper { map, gain }) = sharper else {
-            return Ok(None);
-        };
-        self.maps_left -= 1;
-        let enough = (wanted / gain).max(LEAST_PART * points as f64);
-        let points = quick(enough.ceil() as usize).min(adaptation.largest_odd());
-        Ok(Some(grid.with_points(points)?.mapped(map)))
+        match carried {
+            Some(carried) => self.find_from_carried(carried.clone(), error),
+            None => self.starts.solve(&mut self.on),
+        }
     }
 
     /// From the solution on a coarser grid, of this error. Where that resolves nothing, there may

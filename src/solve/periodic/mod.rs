@@ -6,6 +6,7 @@
 //! * `adaptive.rs`: grids made finer until the estimated error meets a tolerance;
 //! * `conditioned.rs`: motions under conditions that determine free parameters;
 //! * `sharp.rs`: when a motion is sharp, and the map of time that brings grid points there;
+//! * `maps.rs`: when maps are looked for, and what becomes of them;
 //! * `estimate.rs`, `waves.rs`, `loads.rs`: that error: of the motions at the grid points, by
 //!   harmonics above the grid's, of loads that the grid cannot hold.
 
@@ -14,6 +15,7 @@ pub(crate) mod conditioned;
 pub(crate) mod estimate;
 mod given;
 pub(crate) mod loads;
+mod maps;
 pub(crate) mod options;
 mod sharp;
 mod waves;
@@ -34,6 +36,7 @@ use crate::workers::Workers;
 use adaptive::Adaptation;
 use estimate::mesh_error;
 use loads::Loads;
+use maps::Maps;
 use options::{GridPoints, PeriodicOptions};
 use std::sync::Arc;
 use std::time::Instant;
@@ -51,8 +54,7 @@ struct Periodic<'a> {
     accepted: f64,
     /// Points of the finest grid that may follow; zero where it is given.
     finest: usize,
-    /// How often grids may yet be mapped where the motion is sharp.
-    maps_left: usize,
+    maps: Maps,
     /// The grids that were tried.
     grids: Vec<GridTried>,
     /// Points of the grid on which one on a large grid looks for its start.
@@ -187,7 +189,7 @@ pub fn solve_periodic(
         loads,
         accepted,
         finest,
-        maps_left: options.time_map.most_tried(),
+        maps: Maps::new(options.time_map.most_tried()),
         grids: Vec::new(),
         coarse: first.coarse,
         coarse_start: None,

@@ -1,15 +1,13 @@
 //! Options of a periodic solve.
 
 use super::adaptive::Adaptation;
+use super::sharp::MOST_MAPS;
 use crate::error::{Error, Result};
 use crate::fourier::{SharpEvent, TimeMap};
 use crate::solve::linear::method::LinearMethod;
 use crate::solve::report::NewtonOptions;
 use crate::solve::start::InitialGuess;
 use crate::solve::watch::Watch;
-
-/// Maps of time that are tried in an adaptive solve, one after the other.
-const MOST_MAPS: usize = 5;
 
 /// How many grid points.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -5,6 +5,8 @@ use crate::collocation::GridState;
 use crate::fourier::{Analysis, Resampling, SharpEvent, TimeGrid, TimeMap};
 use crate::system::System;
 
+/// Maps of time that are tried in an adaptive solve, one after the other.
+pub(super) const MOST_MAPS: usize = 5;
 /// Curves of the motion that are looked at: those with most in their highest harmonics.
 const CURVES: usize = 8;
 /// Points of their tables for each of the grid: thirty for the shortest wave, which leave a
@@ -13,11 +15,19 @@ const TABLE: usize = 16;
 /// Points of a grid that is tried for each of the present one.
 const TRIED: usize = 2;
 /// Harmonics are to end where those of the present grid have come down to what is above this part
-/// of them: what is above all of them is well below that.
+/// of them: what is above all of them is well below that, the more so where the motion is right at
+/// the points, or nearly so.
 const SEEN: f64 = 0.25;
+const SEEN_WHERE_NEAR: f64 = 0.5;
 /// A map is worth a change of grid that lets harmonics end this much earlier: linear equations are
 /// harder to precondition there.
-const GAIN: f64 = 3.0;
+const GAIN: f64 = 2.0;
+/// The same where the motion may be quite another.
+const GAIN_BLINDLY: f64 = 3.0;
+/// The same of another map than the present one.
+const GAIN_MORE: f64 = 1.25;
+/// Which is to let those of what was looked at before end this much later at most.
+const HARM: f64 = 1.3;
 /// An event is worth its points that lets them end this much earlier.
 const WORTH: f64 = 1.1;
 /// Most events that are looked for.
@@ -38,33 +48,44 @@ const LEAST_SHARE: f64 = 0.05;
 pub(super) struct Sharper {
     pub map: TimeMap,
     pub gain: f64,
+    /// Points that hold the harmonics up to there, if the motion was right.
+    pub holding: Option<usize>,
 }
 
-/// A map under which the harmonics of the motion in `state` end much earlier than on its grid; none
-/// if that gains little.
-pub(super) fn sharper(system: &System, grid: TimeGrid, state: &GridState) -> Option<Sharper> {
-    let mut search = Search::new(system, grid, state);
-    let present = search.present;
-    let mut events = Vec::new();
-    let mut best = present;
-    for _ in 0..EVENTS {
-        let map = TimeMap::new(&events, 1.0).ok()?;
-        let time = search.sharpest(&map);
-        let (with, ends) = search.with_event(&events, time);
-        let (with, ends) = search.improved(with, ends);
-        if ends * WORTH > best {
-            break;
-        }
-        (events, best) = (with, ends);
-    }
-    let gain = present / best;
-    let map = TimeMap::new(&events, 1.0).ok()?;
-    (gain > GAIN).then_some(Sharper { map, gain })
+/// A map under which the harmonics of the quasi-static motion in `state` end much earlier than on
+/// its grid; none if that gains little.
+pub(super) fn of_rest(system: &System, grid: TimeGrid, state: &GridState) -> Option<Sharper> {
+    let mut search = Search::new(system, grid, state, (SEEN_WHERE_NEAR, 1));
+    let (found, ends) = search.from(Vec::new(), GAIN)?;
+    let holding = Some((2.0 * ends).ceil() as usize);
+    Some(Sharper { holding, ..found })
 }
 
-/// Points of a grid that is tried, an odd number.
-fn tried(grid: TimeGrid) -> usize {
-    (TRIED * grid.points()) | 1
+/// The same of a solution, which may resolve little.
+pub(super) fn of_solution(system: &System, grid: TimeGrid, state: &GridState) -> Option<Sharper> {
+    let mut search = Search::new(system, grid, state, (SEEN, TRIED));
+    Some(search.from(Vec::new(), GAIN_BLINDLY)?.0)
+}
+
+/// The map of a grid changed for the motion in `state`, without harm to the motion that is right at
+/// the points of its own grid; none if that gains little.
+pub(super) fn sharper_still(
+    system: &System,
+    (grid, state): (TimeGrid, &GridState),
+    (fine, exact): (TimeGrid, &GridState),
+) -> Option<Sharper> {
+    let mut search = Search::new(system, grid, state, (SEEN_WHERE_NEAR, TRIED));
+    let mut other = Search::new(system, fine, exact, (SEEN_WHERE_NEAR, 1));
+    let events = grid.map().events(1.0);
+    let most = other.ends_with(&events) * HARM;
+    search.spared = Some((Box::new(other), most));
+    Some(search.from(events, GAIN_MORE)?.0)
+}
+
+/// How many times earlier the harmonics of the motion in `state` end under a map.
+pub(super) fn gain(system: &System, grid: TimeGrid, state: &GridState, map: &TimeMap) -> f64 {
+    let mut search = Search::new(system, grid, state, (SEEN, TRIED));
+    search.present / search.ends_with(&map.events(1.0))
 }
 
 /// One of the curves over the period of the present grid, in its pseudo-time.
@@ -94,7 +115,11 @@ impl Curve {
 
 struct Search {
     grid: TimeGrid,
+    /// Points of a grid that is tried, an odd number.
+    tried: usize,
     curves: Vec<Curve>,
+    /// Other curves, and where their harmonics are to end at most.
+    spared: Option<(Box<Search>, f64)>,
     analysis: Analysis,
     /// Sum of squares of the harmonics above where they end.
     left: f64,
@@ -103,14 +128,22 @@ struct Search {
 }
 
 impl Search {
-    fn new(system: &System, grid: TimeGrid, state: &GridState) -> Self {
+    fn new(
+        system: &System,
+        grid: TimeGrid,
+        state: &GridState,
+        (seen, tried): (f64, usize),
+    ) -> Self {
+        let tried = (tried * grid.points()) | 1;
         let curves = curves(system, grid, state);
         let mut search = Search {
             grid,
+            tried,
             curves,
-            analysis: Analysis::new(tried(grid)),
+            spared: None,
+            analysis: Analysis::new(tried),
             left: 0.0,
-            present: SEEN * grid.harmonics() as f64,
+            present: seen * grid.harmonics() as f64,
         };
         let squares = search.squares(grid.map());
         let first = search.present.ceil() as usize + 1;
@@ -119,9 +152,33 @@ impl Search {
         search
     }
 
+    /// The map of these events improved, and of more while each gains much, and where harmonics end
+    /// under it; none if all that gains little. No more where other curves are to be spared.
+    fn from(&mut self, mut events: Vec<SharpEvent>, least: f64) -> Option<(Sharper, f64)> {
+        let (present, mut best) = (self.present, self.present);
+        if !events.is_empty() {
+            let ends = self.ends_with(&events);
+            (events, best) = self.improved(events, ends);
+        }
+        while events.len() < EVENTS && self.spared.is_none() {
+            let map = TimeMap::new(&events, 1.0).ok()?;
+            let time = self.sharpest(&map);
+            let (with, ends) = self.with_event(&events, time);
+            let (with, ends) = self.improved(with, ends);
+            if ends * WORTH > best {
+                break;
+            }
+            (events, best) = (with, ends);
+        }
+        let gain = present / best;
+        let map = TimeMap::new(&events, 1.0).ok()?;
+        let holding = None;
+        (gain > least).then_some((Sharper { map, gain, holding }, best))
+    }
+
     /// The curves at the points of a grid that is tried.
     fn sampled(&self, map: &TimeMap) -> Vec<Vec<f64>> {
-        let times = map.times(tried(self.grid));
+        let times = map.times(self.tried);
         let own = self.grid.map();
         let places: Vec<f64> = times.iter().map(|time| own.pseudo(*time)).collect();
         let samples = |curve: &Curve| places.iter().map(|place| curve.at(*place)).collect();
@@ -130,7 +187,7 @@ impl Search {
 
     /// Sums of squares of the harmonics of all curves under a map.
     fn squares(&mut self, map: &TimeMap) -> Vec<f64> {
-        let scale = 1.0 / tried(self.grid) as f64;
+        let scale = 1.0 / self.tried as f64;
         let mut squares = vec![0.0; self.analysis.spectrum.len()];
         for samples in self.sampled(map) {
             self.analysis.read(samples.into_iter());
@@ -160,7 +217,15 @@ impl Search {
         match TimeMap::new(events, 1.0) {
             Ok(map) => {
                 let squares = self.squares(&map);
-                self.ends(&squares)
+                let ends = self.ends(&squares);
+                let harms = |(other, most): &mut (Box<Search>, f64)| {
+                    let squares = other.squares(&map);
+                    other.ends(&squares) > *most
+                };
+                match self.spared.as_mut().is_some_and(harms) {
+                    true => f64::MAX,
+                    false => ends,
+                }
             }
             Err(_) => f64::MAX,
         }
@@ -168,7 +233,7 @@ impl Search {
 
     /// Time, in periods, at which the upper harmonics of the curves under a map add up to most.
     fn sharpest(&self, map: &TimeMap) -> f64 {
-        let points = tried(self.grid);
+        let points = self.tried;
         let Ok(grid) = TimeGrid::new(points, 1.0) else {
             return 0.0;
         };

@@ -162,6 +162,19 @@ impl Starts {
         on.carried(&guess.state, from)
     }
 
+    /// The first quasi-static motion at the points of another grid, if that is how to start and
+    /// there is one.
+    pub fn followed(&mut self, on: &mut OnGrid, grid: TimeGrid) -> Result<Option<GridState>> {
+        if !self.is_quasi_static() {
+            return Ok(None);
+        }
+        let (workers, driven) = (on.means.workers.clone(), self.turning(self.first()));
+        let guess = on.look_for_start(|system, observe| {
+            quasi_static(system, grid, driven.as_ref(), &workers, observe)
+        })?;
+        Ok((guess.outcome == Outcome::Converged).then_some(guess.state))
+    }
+
     /// How far inertial forces would displace the first quasi-static motion; zero where there is
     /// none.
     pub fn inertial_displacement(&mut self, on: &mut OnGrid) -> Result<f64> {

@@ -1,0 +1,181 @@
+//! Maps of time in an adaptive solve: when they are looked for, and what becomes of them.
+//! See docs/theory.md, section 10.7.
+
+use super::Periodic;
+use super::adaptive::{Adaptation, UNRESOLVED, quick};
+use super::sharp::{MOST_MAPS, Sharper, gain, of_rest, of_solution, sharper_still};
+use crate::collocation::GridState;
+use crate::error::Result;
+use crate::fourier::TimeGrid;
+use crate::solve::newton::on_grid::Found;
+use crate::solve::report::Outcome;
+use crate::solve::result::{Assessment, GridTried};
+use std::time::Instant;
+
+/// A grid of fewer points tells little of where a motion is sharp, and costs little.
+const LEAST_MAPPED: usize = 41;
+/// The next grid has so many times the points where harmonics fall slowly.
+const MUCH_FINER: f64 = 1.5;
+/// A mapped grid has this part of the points at least that told of the map.
+const LEAST_PART: f64 = 0.75;
+/// Points at which the quasi-static motion is looked at, and so many times those of the grid.
+const QUASI_STATIC: usize = 511;
+const FINER: usize = 4;
+/// The first mapped grid has so many times the points that hold the quasi-static motion.
+const BEYOND_REST: f64 = 3.0;
+
+/// Maps so far.
+pub(super) struct Maps {
+    /// How often grids may yet be mapped where the motion is sharp.
+    pub left: usize,
+    /// The quasi-static motion that maps are to suit, if there is one, and whether it was looked
+    /// for.
+    followed: Option<(TimeGrid, GridState)>,
+    looked: bool,
+    /// The best solution since then.
+    best: Option<Best>,
+}
+
+impl Maps {
+    /// So many may be tried.
+    pub fn new(left: usize) -> Self {
+        Maps {
+            left,
+            followed: None,
+            looked: false,
+            best: None,
+        }
+    }
+}
+
+/// The solution with the least estimated error so far.
+struct Best {
+    error: f64,
+    grid: TimeGrid,
+    state: GridState,
+    assessed: Option<(TimeGrid, Assessment)>,
+}
+
+impl Periodic<'_> {
+    /// A grid with its points closer together where the motion is sharp, if its harmonics fall
+    /// slowly and would end much earlier there; where it would go on with so many, if it would.
+    pub(super) fn sharper_grid(
+        &mut self,
+        adaptation: &Adaptation,
+        found: &Assessment,
+        wanted: Option<f64>,
+        state: &GridState,
+    ) -> Result<Option<TimeGrid>> {
+        let grid = self.on.grid;
+        let points = grid.points();
+        let Some(wanted) = wanted else {
+            return Ok(None);
+        };
+        let few = points < LEAST_MAPPED || wanted < MUCH_FINER * points as f64;
+        if self.maps.left == 0 || few || found.unheld.is_some() {
+            return Ok(None);
+        }
+        let found = match grid.map().is_identity() {
+            true => self.first_map(grid, state)?,
+            // What resolves nothing tells nothing.
+            false if found.error > UNRESOLVED => None,
+            false => self.next_map(grid, state),
+        };
+        let Some(Sharper { map, gain, holding }) = found else {
+            return Ok(None);
+        };
+        self.maps.left -= 1;
+        let enough = match holding {
+            Some(holding) => BEYOND_REST * holding as f64,
+            None => (wanted / gain).max(LEAST_PART * points as f64),
+        };
+        let points = quick(enough.ceil() as usize).min(adaptation.largest_odd());
+        Ok(Some(grid.with_points(points)?.mapped(map)))
+    }
+
+    /// A map that suits the quasi-static motion, which shows early how sharp the motion will be,
+    /// and does not harm the present solution; where there is no such motion, one that suits this.
+    fn first_map(&mut self, grid: TimeGrid, state: &GridState) -> Result<Option<Sharper>> {
+        if !self.maps.looked {
+            let fine = grid.with_points(QUASI_STATIC.max(FINER * grid.points()) | 1)?;
+            let followed = self.starts.followed(&mut self.on, fine)?;
+            self.maps.followed = followed.map(|followed| (fine, followed));
+            self.maps.looked = true;
+        }
+        let (began, system) = (Instant::now(), &self.on.system);
+        let found = match &self.maps.followed {
+            Some((fine, followed)) => {
+                let found = of_rest(system, *fine, followed);
+                found.filter(|found| gain(system, grid, state, &found.map) >= 1.0)
+            }
+            None => of_solution(system, grid, state),
+        };
+        self.on.newton.timings.estimates += began.elapsed();
+        Ok(found)
+    }
+
+    /// A map that suits the present solution more than that of its grid.
+    fn next_map(&mut self, grid: TimeGrid, state: &GridState) -> Option<Sharper> {
+        let (began, system) = (Instant::now(), &self.on.system);
+        let (fine, followed) = self.maps.followed.as_ref()?;
+        let found = sharper_still(system, (grid, state), (*fine, followed));
+        self.on.newton.timings.estimates += began.elapsed();
+        found
+    }
+
+    /// The quasi-static motion that a map was chosen for, on the first grid with that, where the
+    /// solution before resolves nothing.
+    pub(super) fn near_rest(&mut self, error: f64) -> Result<Option<GridState>> {
+        let is_first = self.maps.left + 1 == MOST_MAPS && !self.on.grid.map().is_identity();
+        let Some((from, followed)) = self
+            .maps
+            .followed
+            .take_if(|_| is_first && error > UNRESOLVED)
+        else {
+            return Ok(None);
+        };
+        let start = self.on.carried(&followed, from)?;
+        self.on.newton.equations.set_resultants(Vec::new());
+        self.maps.followed = Some((from, followed));
+        Ok(start)
+    }
+
+    /// Keeps a solution, if grids are mapped, which may make it worse.
+    pub(super) fn keep_if_best(&mut self, state: &GridState, error: f64) {
+        let may_be_worse = self.maps.left < MOST_MAPS && self.maps.looked;
+        if may_be_worse
+            && self
+                .maps
+                .best
+                .as_ref()
+                .is_none_or(|best| error < best.error)
+        {
+            self.maps.best = Some(Best {
+                error,
+                grid: self.on.grid,
+                state: state.clone(),
+                assessed: self.assessed.clone(),
+            });
+        }
+    }
+
+    /// What was found, or where that misses the tolerance what was found before and is better.
+    pub(super) fn best_of(&mut self, (state, mut report): Found) -> Result<Found> {
+        let missed = report.outcome == Outcome::ToleranceNotMet;
+        let here = self.on.grid;
+        let Some(best) = self.maps.best.take_if(|best| missed && best.grid != here) else {
+            return Ok((state, report));
+        };
+        self.on.move_to(best.grid)?;
+        self.assessed = best.assessed;
+        let (points, error) = (best.grid.points(), best.error);
+        self.grids.push(GridTried {
+            points,
+            iterations: 0,
+            error_estimate: error,
+        });
+        let kept = format!("; that on {points} points before, with {error:.1e}, is kept");
+        report.explanation.push_str(&kept);
+        Ok((best.state, report))
+    }
+}
