@@ -209,7 +209,9 @@ fn orthonormalise(
     let gram = (&gram + gram.transpose()) * 0.5;
     let eigen = gram.symmetric_eigen();
     let largest = eigen.eigenvalues.max();
-    if !(largest > 0.0) || eigen.eigenvalues.min() < DEPENDENT * largest {
+    // Written so that NaN does not count.
+    let apart = largest > 0.0 && eigen.eigenvalues.min() >= DEPENDENT * largest;
+    if !apart {
         return None;
     }
     let mut turn = eigen.eigenvectors;
@@ -233,13 +235,15 @@ fn orthonormalise(
     Some(())
 }
 
-/// The Jacobian between motions, and that of equilibrium at each grid point; none where rates are
-/// not those of series over the grid.
+/// The Jacobian between motions, and that of equilibrium at each grid point.
+type Projected = (Mat<f64>, Vec<DMatrix<f64>>);
+
+/// Both; none where rates are not those of series over the grid.
 fn projected(
     equations: &Collocation,
     tangent: &Tangent,
     shapes: &[Vec<f64>],
-) -> Result<Option<(Mat<f64>, Vec<DMatrix<f64>>)>> {
+) -> Result<Option<Projected>> {
     let (workers, points, count) = (equations.workers(), equations.grid().points(), shapes.len());
     let rule = tangent.rule(equations);
     let Some(over) = rule.over_grid() else {
@@ -287,8 +291,7 @@ fn projected(
     };
     let (mut whole, second) = (product(&by_first)?, product(&by_second)?);
     for l in 0..points {
-        for k in 0..points {
-            let here = &all[k].0;
+        for (k, (here, _)) in all.iter().enumerate() {
             let [d, t] = [over.operators.first(k, l), over.operators.second(k, l)];
             for (i, j) in (0..count).flat_map(|j| (0..count).map(move |i| (i, j))) {
                 let at = (count * k + i, count * l + j);
