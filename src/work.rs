@@ -44,6 +44,11 @@ impl Work {
         self.done.fetch_add(work as u64, Ordering::Relaxed);
     }
 
+    /// Does not count what was done after so much.
+    pub fn take_back(&self, done: f64) {
+        self.done.store(done as u64, Ordering::Relaxed);
+    }
+
     /// All that was counted.
     pub fn done(&self) -> f64 {
         self.done.load(Ordering::Relaxed) as f64

@@ -1,6 +1,8 @@
 //! Errors of a sharp motion against the number of grid points, equispaced and mapped.
 
 mod common;
+#[path = "models/machines/mod.rs"]
+mod machines;
 
 use common::converged;
 use common::models::beams::slider_crank;
@@ -118,4 +120,23 @@ fn grids_of_smooth_motions_are_left_as_they_are() {
     let model = slider_crank(2, 2, period);
     let solution = by_itself(&model, period, 1e-8);
     assert!(solution.grid().map().is_identity(), "{}", solution.report());
+}
+
+/// A planar four-bar whose mapped grid takes all work that is allowed.
+#[test]
+fn where_a_map_leads_nowhere_the_solve_goes_on_without_it() {
+    let machine = machines::machine(11, 1, 0);
+    let options = PeriodicOptions {
+        time_map: TimeMapping::Automatic,
+        grid_points: GridPoints::Adaptive(Adaptation {
+            error_tolerance: 1e-5,
+            response_tolerance: 1e-3,
+            largest: 401,
+        }),
+        threads: 2,
+        ..PeriodicOptions::default()
+    };
+    let solution = Solution::solve(&machine.model, machine.period, &options, &mut |_, _| true);
+    let solution = converged(solution.unwrap());
+    assert!(solution.grid().map().is_identity());
 }

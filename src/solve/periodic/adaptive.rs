@@ -323,14 +323,16 @@ impl Periodic<'_> {
                 }
                 start => start?,
             };
+            let worked = self.on.newton.equations.workers().work().done();
             let (fine, fine_report) = self.find_on_finer(start.as_ref(), found.error)?;
             // That constraints contradict each other may show between the points of a coarse grid
             // only.
             let is_spent = fine_report.outcome == Outcome::WorkLimit;
             let newly_mapped = coarse.map() != self.on.grid.map();
-            if newly_mapped && !is_spent && !fine_report.outcome.is_final() {
+            if newly_mapped && (is_spent || !fine_report.outcome.is_final()) {
                 // Without a map there may be one.
                 self.maps.left = 0;
+                self.on.newton.equations.workers().work().take_back(worked);
                 self.grids.pop();
                 self.on.move_to(coarse)?;
                 continue;
