@@ -127,29 +127,20 @@ impl Periodic<'_> {
     /// solution before resolves nothing.
     pub(super) fn near_rest(&mut self, error: f64) -> Result<Option<GridState>> {
         let is_first = self.maps.left + 1 == MOST_MAPS && !self.on.grid.map().is_identity();
-        let Some((from, followed)) = self
-            .maps
-            .followed
-            .take_if(|_| is_first && error > UNRESOLVED)
-        else {
+        let followed = self.maps.followed.as_ref();
+        let Some((from, followed)) = followed.filter(|_| is_first && error > UNRESOLVED) else {
             return Ok(None);
         };
-        let start = self.on.carried(&followed, from)?;
+        let start = self.on.carried(followed, *from)?;
         self.on.newton.equations.set_resultants(Vec::new());
-        self.maps.followed = Some((from, followed));
         Ok(start)
     }
 
     /// Keeps a solution, if grids are mapped, which may make it worse.
     pub(super) fn keep_if_best(&mut self, state: &GridState, error: f64) {
         let may_be_worse = self.maps.left < MOST_MAPS && self.maps.looked;
-        if may_be_worse
-            && self
-                .maps
-                .best
-                .as_ref()
-                .is_none_or(|best| error < best.error)
-        {
+        let best = self.maps.best.as_ref();
+        if may_be_worse && best.is_none_or(|best| error < best.error) {
             self.maps.best = Some(Best {
                 error,
                 grid: self.on.grid,
