@@ -5,16 +5,13 @@
 //! that grids are not given, `PHASES` that the milliseconds of each phase are printed, too.
 
 mod common;
-#[path = "../tests/common/random.rs"]
-#[allow(dead_code)] // not all kinds of numbers are drawn
-mod random;
 
+use common::Random;
 use common::models::rotors::{RotorKind, bladed_rotor};
 use common::timing::{median, processor_time};
 use periodyn::model::Model;
 use periodyn::output::Solution;
 use periodyn::solve::{Outcome, PeriodicOptions};
-use random::Random;
 use std::env::var;
 use std::time::Duration;
 

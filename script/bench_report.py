@@ -24,7 +24,8 @@ import matplotlib.pyplot as plt
 STYLES = [("#0072B2", "o"), ("#D55E00", "s"), ("#009E73", "^"), ("#CC79A7", "D"), ("#000000", "v")]
 METHODS = ["collocation", "adaptive", "shooting", "marching", "Exudyn"]
 PICTURES = {"performance_accuracy": "Error against time",
-            "performance_scaling": "Time and memory against unknowns"}
+            "performance_scaling": "Time and memory against unknowns",
+            "performance_sharp": "Error against grid points"}
 TOLERANCES = [1e-3, 1e-4, 1e-5]
 
 
@@ -191,6 +192,42 @@ def draw_scaling(directory, image):
     plt.close(figure)
 
 
+def draw_sharp(directory, image):
+    """Errors of sharp motions against the number of grid points."""
+    rows = read(directory, "sharp")
+    if not rows:
+        return
+    models = list(dict.fromkeys(row["model"] for row in rows))
+    figure, axes = plt.subplots(
+        1, len(models), figsize=(4.0 * len(models), 4.0), squeeze=False, layout="constrained"
+    )
+    rates = {(row["model"], row["grid"]): row["rate"] for row in read(directory, "sharp_rates")}
+    for axis, model in zip(axes[0], models):
+        for grid, (colour, marker) in zip(("equispaced", "mapped"), STYLES):
+            points = [(float(row["N"]), float(row["error"])) for row in rows
+                      if (row["model"], row["grid"]) == (model, grid)
+                      and row["error"] != "not converged"]
+            axis.plot(
+                *zip(*points),
+                "-",
+                marker=marker,
+                color=colour,
+                markersize=5,
+                linewidth=1.4,
+                markerfacecolor="white",
+                label=f"{grid}: exp(−{rates[model, grid]} N)",
+            )
+        style(axis)
+        axis.set_xscale("linear")
+        axis.set_xlim(left=0)
+        axis.set_title(model, loc="left", fontsize=10.5)
+        axis.set_xlabel("grid points N")
+        axis.legend(frameon=False, fontsize=9, loc="upper right")
+    axes[0, 0].set_ylabel("largest error of positions [m]")
+    figure.savefig(image, dpi=130)
+    plt.close(figure)
+
+
 def main():
     """Command line."""
     parser = argparse.ArgumentParser(
@@ -211,6 +248,9 @@ def main():
         "sensitivities": plain(read(directory, "sensitivities")),
         "scaling": plain(read(directory, "scaling")),
         "exponents": plain(read(directory, "exponents")),
+        "sharp": plain(read(directory, "sharp")),
+        "sharp_rates": plain(read(directory, "sharp_rates")),
+        "sharp_drawn": plain(read(directory, "sharp_drawn")),
     }
     report = "\n\n".join(f"## {name}\n\n{table}" for name, table in tables.items())
     (directory / "report.md").write_text(report + "\n", encoding="utf-8")
@@ -233,6 +273,7 @@ def main():
     for place in places:
         draw_accuracy(directory, place / "performance_accuracy.png")
         draw_scaling(directory, place / "performance_scaling.png")
+        draw_sharp(directory, place / "performance_sharp.png")
     print(report)
 
 

@@ -6,5 +6,9 @@ pub mod elements;
 pub mod fits;
 #[path = "../../tests/models/mod.rs"]
 pub mod models;
+#[path = "../../tests/common/random.rs"]
+mod random;
 pub mod table;
 pub mod timing;
+
+pub use random::Random;

@@ -149,6 +149,11 @@ pub fn slider_crank(elements: usize, degree: usize, period: f64) -> Model {
 /// The planar four-bar with a crooked axis of section 7.3 of the paper, and its period; damping is
 /// `seconds` times the stiffness.
 pub fn planar_four_bar(elements: usize, degree: usize, seconds: f64) -> (Model, f64) {
+    crooked_four_bar(elements, degree, seconds, 5f64.to_radians())
+}
+
+/// The same, whose third axis is turned out of its direction by an angle.
+pub fn crooked_four_bar(elements: usize, degree: usize, seconds: f64, tilt: f64) -> (Model, f64) {
     let at = |x: f64, y: f64| Vector3::new(x, y, 0.0);
     let [a, b, c, d] = [at(0.0, 0.0), at(0.0, 0.12), at(0.24, 0.12), at(0.24, 0.0)];
     let thick = damped_section(&THICK, &THICK_MASS, seconds);
@@ -164,7 +169,6 @@ pub fn planar_four_bar(elements: usize, degree: usize, seconds: f64) -> (Model, 
     let coupler = bar(&b, &c, &up, &thick);
     let rocker = bar(&c, &d, &left, &thin);
     let normal = Vector3::z();
-    let tilt = 5f64.to_radians();
     let crooked = Vector3::new(tilt.sin(), 0.0, tilt.cos());
     let (knee, hip) = (Some(crank.last_node), Some(coupler.last_node));
     let motor = revolute(m, None, Some(crank.first_node), &a, &normal);

@@ -58,6 +58,9 @@ const LEFT_BY_GUESS: f64 = 1e-5;
 const SLOW: f64 = 0.001;
 /// A larger error is that of a grid which is far too coarse.
 pub(super) const UNRESOLVED: f64 = 0.01;
+/// Iterations within which a solution on a mapped grid is found from the quasi-static motion, or
+/// not at all: four to six mostly.
+const NEAR_REST: usize = 12;
 /// A measured error this many times its estimate shows that the decay deceives.
 const DECEIVED: f64 = 10.0;
 /// A difference of solutions that is larger is none of rounding.
@@ -330,8 +333,7 @@ impl Periodic<'_> {
             let is_spent = fine_report.outcome == Outcome::WorkLimit;
             let newly_mapped = coarse.map() != self.on.grid.map();
             if newly_mapped && (is_spent || !fine_report.outcome.is_final()) {
-                // Without a map there may be one.
-                self.maps.left = 0;
+                self.maps.led_nowhere();
                 self.on.newton.equations.workers().work().take_back(worked);
                 self.grids.pop();
                 self.on.move_to(coarse)?;
@@ -383,9 +385,12 @@ impl Periodic<'_> {
     /// A solution on a finer grid, which that on the one before is carried to.
     fn find_on_finer(&mut self, carried: Option<&GridState>, error: f64) -> Result<Found> {
         if let Some(rest) = self.near_rest(error)? {
+            let most = self.on.means.newton.iteration_limit;
+            self.on.means.newton.iteration_limit = most.min(NEAR_REST);
             self.on.newton.patience = Some(PATIENCE);
             let found = self.on.solve(rest);
             self.on.newton.patience = None;
+            self.on.means.newton.iteration_limit = most;
             let found = found?;
             if found.1.outcome.is_final() {
                 return Ok(found);

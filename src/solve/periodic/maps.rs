@@ -32,6 +32,8 @@ pub(super) struct Maps {
     /// for.
     followed: Option<(TimeGrid, GridState)>,
     looked: bool,
+    /// A map led nowhere: the next one starts from a solution that resolves the motion.
+    waits: bool,
     /// The best solution since then.
     best: Option<Best>,
 }
@@ -43,8 +45,18 @@ impl Maps {
             left,
             followed: None,
             looked: false,
+            waits: false,
             best: None,
         }
+    }
+
+    /// No solution was found on a grid with a new map: there may be one without a map, from which
+    /// another is tried, but once.
+    pub fn led_nowhere(&mut self) {
+        if self.waits {
+            self.left = 0;
+        }
+        self.waits = true;
     }
 }
 
@@ -75,10 +87,12 @@ impl Periodic<'_> {
         if self.maps.left == 0 || few || found.unheld.is_some() {
             return Ok(None);
         }
+        // What resolves nothing tells nothing.
+        let is_resolved = found.error <= UNRESOLVED;
         let found = match grid.map().is_identity() {
+            true if self.maps.waits && !is_resolved => None,
             true => self.first_map(grid, state)?,
-            // What resolves nothing tells nothing.
-            false if found.error > UNRESOLVED => None,
+            false if !is_resolved => None,
             false => self.next_map(grid, state),
         };
         let Some(Sharper { map, gain, holding }) = found else {
@@ -86,6 +100,9 @@ impl Periodic<'_> {
         };
         self.maps.left -= 1;
         let enough = match holding {
+            Some(holding) if self.maps.waits => {
+                f64::max(BEYOND_REST * holding as f64, LEAST_PART * points as f64)
+            }
             Some(holding) => BEYOND_REST * holding as f64,
             None => (wanted / gain).max(LEAST_PART * points as f64),
         };
