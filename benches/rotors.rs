@@ -1,8 +1,9 @@
 //! Rotors of like blades, drawn from a seed, solved in whole and by what is left of one blade:
 //! processor times on one thread, side by side, and bytes of the linear equations.
 //!
-//! `ROTORS` says how many of each number of blades (8), `BLADES` which number alone, `ADAPTIVE`
-//! that grids are not given, `PHASES` that the milliseconds of each phase are printed, too.
+//! `ROTORS` says how many of each number of blades (8), `BLADES` which number alone, `NUMBER` which
+//! of those drawn alone, `SEED` another seed than 20, `ADAPTIVE` that grids are not given, `PHASES`
+//! that the milliseconds of each phase are printed, too.
 
 mod common;
 
@@ -16,12 +17,21 @@ use std::env::var;
 use std::time::Duration;
 
 const REPETITIONS: usize = 3;
+/// Unless another one is asked for.
 const SEED: u64 = 20;
+/// Of each number of blades.
+const ROTORS: u64 = 8;
 /// Grid points, about.
 const POINTS: usize = 45;
 
+/// A number that is asked for.
+fn asked(name: &str) -> Option<u64> {
+    var(name).ok().and_then(|number| number.parse().ok())
+}
+
 fn drawn(blades: usize, number: u64) -> RotorKind {
-    let mut r = Random::of(&[SEED, blades as u64, number]);
+    let seed = asked("SEED").unwrap_or(SEED);
+    let mut r = Random::of(&[seed, blades as u64, number]);
     RotorKind {
         speed: r.between(2.0, 7.0),
         blade: r.decades(0.3, 10.0),
@@ -110,13 +120,17 @@ fn print_phases(solution: &Solution) {
 }
 
 fn main() {
-    let rotors = var("ROTORS").ok().and_then(|count| count.parse().ok());
+    let rotors = asked("ROTORS").unwrap_or(ROTORS);
+    let numbers = match asked("NUMBER") {
+        Some(number) => number..number + 1,
+        None => 0..rotors,
+    };
     println!(
         "blades × elements, N all one, all [ms] one [ms] ratio, all [MB] one [MB], difference"
     );
-    let only = var("BLADES").ok().and_then(|count| count.parse().ok());
+    let only = asked("BLADES");
     for blades in [5, 4, 3] {
-        if only.is_some_and(|only: usize| only != blades) {
+        if only.is_some_and(|only| only != blades as u64) {
             continue;
         }
         let options = match var("ADAPTIVE").is_ok() {
@@ -127,7 +141,8 @@ fn main() {
                 [shared | 1, shared].map(PeriodicOptions::with_grid_points)
             }
         };
-        let ratios = (0..rotors.unwrap_or(8)).map(|i| compare(&drawn(blades, i), &options));
+        let ratios = numbers.clone();
+        let ratios = ratios.map(|i| compare(&drawn(blades, i), &options));
         let mut ratios: Vec<f64> = ratios.collect();
         ratios.sort_by(f64::total_cmp);
         println!("{blades} blades: {ratios:.2?}");
