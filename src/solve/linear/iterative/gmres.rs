@@ -54,7 +54,7 @@ pub(crate) struct GmresEnd {
 /// Memory for long vectors, kept from one solve with a matrix to the next, as taking it takes time.
 #[derive(Default)]
 pub(crate) struct GmresWorkspace {
-    /// Orthonormal vectors, one behind the other.
+    /// Orthonormal vectors, one behind the other, as many as there are.
     basis: Vec<f64>,
     /// The right-hand side.
     b: Vec<f64>,
@@ -77,11 +77,12 @@ impl GmresWorkspace {
     /// [`crate::error::ErrorKind::OutOfMemory`].
     pub fn take(&mut self, options: &mut GmresOptions, entries: usize) -> Result<()> {
         options.restart = options.restart.min(options.iteration_limit);
-        while self.basis.len() < (options.restart + 1) * entries {
+        self.basis.clear();
+        while self.basis.capacity() < (options.restart + 1) * entries {
             let bytes = (options.restart + BESIDE).saturating_mul(entries * size_of::<f64>());
             match memory::require("vectors of the iteration", bytes) {
-                // What is not written to is not taken.
-                Ok(()) => self.basis = vec![0.0; (options.restart + 1) * entries],
+                // What is not written to is not taken, nor filled: few solves keep them all.
+                Ok(()) => self.basis = Vec::with_capacity((options.restart + 1) * entries),
                 Err(_) if options.restart > LEAST_KEPT => {
                     // That of the solves before first.
                     self.basis = Vec::new();
@@ -201,14 +202,15 @@ impl<P: Preconditioned> Run<'_, P> {
         let GmresWorkspace { basis, b, rest, .. } = &mut *self.workspace;
         let (size, found) = (x.len(), vectors.norm(x));
         let products = (options.restart).min(options.iteration_limit - self.end.iterations);
-        vectors.sums(&mut basis[..size], 1, |first, v, _| {
+        basis.resize(size, 0.0);
+        vectors.sums(basis, 1, |first, v, _| {
             let rest = &rest[first..][..v.len()];
             v.iter_mut().zip(rest).for_each(|(v, r)| *v = r / before);
         });
         let mut least = LeastSquares::new(before);
         for j in 0..products {
-            let (known, new) = basis.split_at_mut((j + 1) * size);
-            let w = &mut new[..size];
+            basis.resize((j + 2) * size, 0.0);
+            let (known, w) = basis.split_at_mut((j + 1) * size);
             operator.product(&known[j * size..], w);
             operator.precondition(w);
             self.end.iterations += 1;
