@@ -286,24 +286,21 @@ impl Defect {
     /// its points, relative to it.
     const SHOWN: f64 = 1.864_064_8;
 
-    /// What a grid of three points leaves out at grid point `k` of this one, scaled and ordered as
-    /// the rows of `equations`: a cosine.
+    /// What the grid leaves out at its point `k`, scaled and ordered as the rows of `equations`,
+    /// which are those of a wave: a cosine.
     pub fn left_out(&self, equations: &Collocation, k: usize) -> Vec<f64> {
         let system = equations.system();
         let here = &self.rows[k * self.count..][..self.count];
-        let wave = [1.0, -0.5, -0.5].map(|cosine| cosine / Self::SHOWN);
         let mut all = vec![0.0; equations.size()];
-        for (row, places) in places(system, 3) {
-            for (point, factor) in wave.iter().enumerate() {
-                let place = places(point);
-                all[place] = factor * here[row] * equations.row_scale()[place];
-            }
+        for (row, places) in places(system, equations.grid().points()) {
+            let place = places(0);
+            all[place] = here[row] * equations.row_scale()[place] / Self::SHOWN;
         }
         all
     }
 
     /// Largest amplitudes of what is left of the equations by the harmonics from `H + 1` to `2 H`,
-    /// scaled as those of `equations`, which are on a grid of three points.
+    /// scaled as those of `equations`, which are those of a wave.
     ///
     /// Of the harmonic `N − a` a grid of `N` points makes `−a`: that is what is left at the same
     /// part of all intervals, but for a factor that all rows share.
@@ -313,7 +310,7 @@ impl Defect {
         // Below the highest of an even number of points, which is its own alias.
         let highest = points.div_ceil(2);
         let mut largest = vec![0.0f64; highest - 1];
-        for (row, places) in places(equations.system(), 3) {
+        for (row, places) in places(equations.system(), equations.grid().points()) {
             analysis.read(self.rows[row..].iter().step_by(self.count).copied());
             let scale = 2.0 * equations.row_scale()[places(0)] / (points as f64 * Self::SHOWN);
             for (largest, c) in largest
@@ -327,11 +324,11 @@ impl Defect {
     }
 
     /// The grid points after which most is left of the equations of forces, and of those of the
-    /// elements, all scaled as those of `equations`, which are on a grid of three points.
+    /// elements, all scaled as those of `equations`, which are those of a wave.
     pub fn worst(&self, equations: &Collocation) -> [usize; 2] {
         let nodes = equations.system().layout(1).motions().end;
         let scales = equations.row_scale();
-        let scales: Vec<f64> = places(equations.system(), 3)
+        let scales: Vec<f64> = places(equations.system(), equations.grid().points())
             .map(|(_, places)| scales[places(0)])
             .collect();
         let (mut worst, mut most) = ([0; 2], [0.0f64; 2]);

@@ -37,7 +37,7 @@ pub use rule::{
     Aliasing, AlphaStep, Antiperiodic, Backward, BackwardWeights, GeneralizedAlpha, GivenRates,
     KinematicsScratch, Mapped, MotionState, NodeKinematics, OverGrid, RadauStep, RadauWeights,
     RuleWorkspace, STAGES, Spectral, Steady, StepVariation, TimeRule, Variation, VariationScales,
-    antiperiodic_at, over,
+    Wave, antiperiodic_at, over,
 };
 pub use stages::Stages;
 pub use state::GridState;

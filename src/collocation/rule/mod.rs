@@ -13,6 +13,7 @@ mod spectral;
 mod steady;
 #[cfg(test)]
 mod tangent_test;
+mod wave;
 
 pub use aliasing::Aliasing;
 pub use alpha::{
@@ -26,6 +27,7 @@ pub use mapped::Mapped;
 pub use radau::{PLACES, RadauStep, RadauWeights, STAGES};
 pub use spectral::Spectral;
 pub use steady::Steady;
+pub use wave::Wave;
 
 use super::state::GridState;
 use crate::elements::NodeState;

@@ -26,7 +26,7 @@ use crate::system::System;
 use crate::work::{LINEARISATION, Work};
 use crate::workers::Workers;
 use nalgebra::Vector6;
-use norms::{norm, remove_means};
+use norms::{norm, norm_of_wave};
 use run::Run;
 pub use scalars::solve_with_scalars;
 use std::sync::Arc;
@@ -178,12 +178,10 @@ impl<L: LinearSolver> Newton<L> {
         Ok((solved && largest.is_finite()).then_some(largest))
     }
 
-    /// The same for a wave about a state at rest, which has no mean: that of the solution is
-    /// rounding, of which what nothing but rotation holds up would make much.
+    /// The same of equations of a wave.
     pub fn response_of_wave(&mut self, scaled: &mut [f64]) -> Result<Option<f64>> {
         let solved = self.solve_linear(scaled, ESTIMATE)?;
-        remove_means(self.equations.layout(), scaled);
-        let largest = self.norm(scaled);
+        let largest = norm_of_wave(self.equations.layout(), scaled);
         Ok((solved && largest.is_finite()).then_some(largest))
     }
 

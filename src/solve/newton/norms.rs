@@ -2,6 +2,7 @@
 
 use crate::solve::linear::dense::largest;
 use crate::system::Layout;
+use std::f64::consts::TAU;
 
 /// Largest increment of a motion or a scalar.
 pub(super) fn norm(layout: Layout, increment: &[f64]) -> f64 {
@@ -41,16 +42,19 @@ pub(super) fn largest_turn(layout: Layout, increment: &[f64]) -> f64 {
     turns.fold(0.0, |m: f64, x| m.max(x.abs()))
 }
 
-/// Takes from the motions their means over the grid.
-pub(super) fn remove_means(layout: Layout, increment: &mut [f64]) {
-    for node in increment[layout.motions()].chunks_exact_mut(layout.of_node()) {
-        for component in 0..6 {
-            let values = node[component..].iter().step_by(6);
-            let mean = values.sum::<f64>() / layout.points() as f64;
-            let values = node[component..].iter_mut().step_by(6);
-            values.for_each(|x| *x -= mean);
+/// Largest motion at thirds of the period of a wave, of which these are cosines and sines.
+pub(super) fn norm_of_wave(layout: Layout, parts: &[f64]) -> f64 {
+    let thirds = [0.0, 1.0, 2.0].map(|third| (TAU * third / 3.0).sin_cos());
+    let mut most = 0.0f64;
+    for node in parts[layout.motions()].chunks_exact(layout.of_node()) {
+        let (cosines, sines) = node.split_at(6);
+        for (c, s) in cosines.iter().zip(sines) {
+            for (sine, cosine) in thirds {
+                most = most.max((c * cosine + s * sine).abs());
+            }
         }
     }
+    most
 }
 
 #[cfg(test)]
@@ -78,9 +82,11 @@ mod tests {
         assert_eq!(change_of_own(layout, &x, &scales, &values), 1.0);
         values[3] = -100.0;
         assert_eq!(change_of_own(layout, &x, &scales, &values), 0.1);
-        remove_means(layout, &mut x);
-        assert_eq!(x[layout.motion(1, 2)][1], -2.0);
-        assert_eq!(x[layout.motion(1, 0)][1], 1.0);
-        assert_eq!(x[layout.own().start], -5.0);
+        let layout = system.layout(2);
+        let mut wave = vec![0.0; layout.size()];
+        wave[layout.motion(1, 1)][2] = 2.0;
+        assert!((norm_of_wave(layout, &wave) - 3.0f64.sqrt()).abs() < 1e-15);
+        wave[layout.motion(2, 0)][4] = -4.0;
+        assert_eq!(norm_of_wave(layout, &wave), 4.0);
     }
 }

@@ -154,17 +154,14 @@ impl Loads {
         (found.into_iter().map(|(j, _, _)| j).collect(), part)
     }
 
-    /// Values of all signals at the third `point` of a period of harmonic `j`, of that harmonic
-    /// alone.
-    pub fn wave(&self, j: usize, point: usize, values: &mut [f64]) {
-        let (sin, cos) = (TAU * point as f64 / 3.0).sin_cos();
-        for (value, spectrum) in values.iter_mut().zip(&self.spectra) {
-            *value += match spectrum.amplitudes.get(j - 1) {
-                Some(amplitude) if *amplitude > 0.0 => {
-                    spectrum.series.cosines[j - 1] * cos + spectrum.series.sines[j - 1] * sin
-                }
-                _ => 0.0,
-            };
+    /// Adds to the values of all signals the cosine that they have of harmonic `j`, and to others
+    /// of all the sine.
+    pub fn add_wave(&self, j: usize, cosines: &mut [f64], sines: &mut [f64]) {
+        for ((cosine, sine), spectrum) in cosines.iter_mut().zip(sines).zip(&self.spectra) {
+            if spectrum.amplitudes.get(j - 1).is_some_and(|a| *a > 0.0) {
+                *cosine += spectrum.series.cosines[j - 1];
+                *sine += spectrum.series.sines[j - 1];
+            }
         }
     }
 }

@@ -1,11 +1,12 @@
 //! Motions by harmonics above those of the grid: waves about single grid points of a solution,
 //! during which the mechanism hardly moves otherwise.
 
-use crate::collocation::{Collocation, Conditions, Defect, GridState};
+use crate::collocation::{Collocation, Defect, GridState, Wave};
 use crate::error::Result;
 use crate::fourier::TimeGrid;
 use crate::solve::newton::Newton;
 use crate::solve::periodic::loads::Loads;
+use std::f64::consts::TAU;
 
 /// Harmonics of the loads that are looked at one by one.
 const HARMONICS: usize = 6;
@@ -42,7 +43,7 @@ impl LeftOut {
 
 /// Equations of a wave about a grid point.
 pub(crate) struct Waves<'a> {
-    /// On three points of the period of the wave.
+    /// On two points, cosine and sine.
     newton: Newton,
     grid: TimeGrid,
     state: &'a GridState,
@@ -51,8 +52,9 @@ pub(crate) struct Waves<'a> {
 impl<'a> Waves<'a> {
     /// About grid points of a solution `state` of these equations.
     pub fn new(equations: &Collocation, state: &'a GridState) -> Result<Self> {
-        let grid = TimeGrid::new(3, equations.grid().period())?;
+        let grid = TimeGrid::even_or_odd(2, equations.grid().period())?;
         let mut wave = Collocation::new(equations.system().clone(), grid)?;
+        wave.set_rule(Box::new(Wave::new(grid.frequency())));
         wave.set_workers(equations.workers().alone());
         if equations.is_regularised() {
             wave.regularise();
@@ -66,11 +68,11 @@ impl<'a> Waves<'a> {
         })
     }
 
-    /// The state at grid point `k`, at the points of a wave.
+    /// The state at grid point `k`, of cosine and sine.
     fn frozen(&self, k: usize) -> GridState {
         let equations = &self.newton.equations;
         let mut at = GridState::reference(equations.system(), equations.grid());
-        for point in 0..3 {
+        for point in 0..2 {
             at.copy_point(equations.system(), point, self.state, k);
         }
         at
@@ -84,15 +86,11 @@ impl<'a> Waves<'a> {
         let system = equations.system().clone();
         let stretch = system.period() / self.grid.period();
         let time = self.grid.time(k) * stretch;
-        // As long as it is there in time.
+        // As fast as it is there in time.
         let pseudo = k as f64 / self.grid.points() as f64;
-        let period = system.period() / harmonic as f64 / self.grid.slope(pseudo).rate;
-        equations.set_period(period)?;
-        // Functions of the user see no times beyond the period.
-        equations.set_conditions(Conditions::at(time.min(system.period() - period)))?;
-        let mut signals = vec![0.0; system.signals()];
-        system.signal_values(time, 1.0, &mut signals)?;
-        equations.set_signals(&signals.repeat(3));
+        let rate = harmonic as f64 * self.grid.slope(pseudo).rate;
+        equations.set_rule(Box::new(Wave::new(rate * TAU / system.period())));
+        equations.set_times(&[time; 2])?;
         self.newton.linearise(&at)
     }
 
@@ -174,9 +172,8 @@ impl<'a> Waves<'a> {
             let equations = &mut self.newton.equations;
             let count = equations.system().signals();
             let mut moving = equations.signals().to_vec();
-            for (point, values) in moving.chunks_exact_mut(count).enumerate() {
-                loads.wave(harmonic, point, values);
-            }
+            let (cosines, sines) = moving.split_at_mut(count);
+            loads.add_wave(harmonic, cosines, sines);
             let size = equations.size();
             let (mut rest, mut rows) = (vec![0.0; size], vec![0.0; size]);
             equations.residual(&at, &mut rest)?;
