@@ -205,6 +205,79 @@ impl AlikeMotions {
         }
     }
 
+    /// Whether the own unknowns of an element are alike in all parts of the period, as it acts on
+    /// hub and supports alone.
+    pub fn repeats_own(&self, element: usize) -> bool {
+        self.own[element].is_some()
+    }
+
+    /// Lets the unknowns of hub and supports be alike in all parts of the period, from the first.
+    pub(in crate::collocation) fn repeat_unknowns(
+        &self,
+        layout: Layout,
+        elements: &[Placed],
+        x: &mut [f64],
+    ) {
+        let part = layout.points() / self.blades;
+        for (node, step) in self.nodes.iter().enumerate() {
+            let Some(step) = step else {
+                continue;
+            };
+            for k in part..layout.points() {
+                let before = Vector6::from_column_slice(&x[layout.motion(node, k - part)]);
+                let here = match self.still[node] {
+                    true => before,
+                    false => step.back * before,
+                };
+                x[layout.motion(node, k)].copy_from_slice(here.as_slice());
+            }
+        }
+        self.repeat_own(layout, elements, x, |[_, back], i, j| back[(i, j)]);
+    }
+
+    /// Lets the equations of hub and supports be alike in all parts of the period, from the first.
+    pub(in crate::collocation) fn repeat_equations(
+        &self,
+        layout: Layout,
+        elements: &[Placed],
+        rows: &mut [f64],
+    ) {
+        self.repeat(layout, rows);
+        // Their work on unknowns is.
+        self.repeat_own(layout, elements, rows, |[forth, _], i, j| forth[(j, i)]);
+    }
+
+    /// Writes what belongs to own unknowns of elements on hub and supports, part by part of the
+    /// period from the first, by the entries of what carries it from one to the next.
+    fn repeat_own(
+        &self,
+        layout: Layout,
+        elements: &[Placed],
+        x: &mut [f64],
+        entry: impl Fn(&[DMatrix<f64>; 2], usize, usize) -> f64,
+    ) {
+        let part = layout.points() / self.blades;
+        for (placed, step) in elements.iter().zip(&self.own) {
+            let count = placed.element.own_unknowns();
+            let (Some(step), true) = (step, count > 0) else {
+                continue;
+            };
+            for k in part..layout.points() {
+                let before = layout.element_at(placed, k - part);
+                let here = layout.element_at(placed, k).start;
+                match step {
+                    None => x.copy_within(before, here),
+                    Some(step) => {
+                        for i in 0..count {
+                            let terms = (0..count).map(|j| entry(step, i, j) * x[before.start + j]);
+                            x[here + i] = terms.sum();
+                        }
+                    }
+                }
+            }
+        }
+    }
+
     /// Lets the forces on hub and supports be alike in all parts of the period, from the first.
     pub(super) fn repeat(&self, layout: Layout, forces: &mut [f64]) {
         let part = layout.points() / self.blades;

@@ -116,6 +116,21 @@ impl Collocation {
         }
     }
 
+    /// Lets unknowns of hub and supports be what the first part of the period says, if motions have
+    /// to be alike.
+    pub(crate) fn repeat_unknowns(&self, unknowns: &mut [f64]) {
+        if let Some(alike) = &self.alike {
+            alike.repeat_unknowns(self.layout, self.system.elements(), unknowns);
+        }
+    }
+
+    /// The same of the equations.
+    pub(crate) fn repeat_equations(&self, rows: &mut [f64]) {
+        if let Some(alike) = &self.alike {
+            alike.repeat_equations(self.layout, self.system.elements(), rows);
+        }
+    }
+
     /// Takes from the forces on nodes what does no work on motions that are alike, if they have to
     /// be.
     pub fn average(&self, forces: &mut [f64]) {

@@ -2,6 +2,7 @@
 //! before have found. See docs/theory.md, section 8.3.
 
 use super::factors::Factors;
+use super::first_part::FirstPart;
 use super::gmres::GmresEnd;
 use super::learnt::Learnt;
 use super::operator::{Eliminated, Operator, is_solved};
@@ -47,8 +48,16 @@ impl Iterative {
             self.learn(solved, end.iterations, unknowns.len());
             if solved {
                 let scalars = rhs.len() - size;
-                rhs[..size].copy_from_slice(&unknowns[..size]);
-                rhs[size..].copy_from_slice(&unknowns[unknowns.len() - scalars..]);
+                match &self.first_part {
+                    Some(first_part) => {
+                        unknowns.truncate(first_part.size);
+                        first_part.write_unknowns(equations, &unknowns, rhs);
+                    }
+                    None => {
+                        rhs[..size].copy_from_slice(&unknowns[..size]);
+                        rhs[size..].copy_from_slice(&unknowns[unknowns.len() - scalars..]);
+                    }
+                }
                 if self.is_old && end.iterations > first + MANY {
                     self.prepare(equations, timings)?;
                 }
@@ -83,6 +92,9 @@ impl Iterative {
             self.eliminated = None;
             self.learnt = None;
         }
+        if let Some(first_part) = &self.first_part {
+            unknowns = first_part.gathered(&unknowns);
+        }
         unknowns.extend_from_slice(scalars);
         let learnt = self.learnt.take();
         self.learnt = learnt.filter(|learnt| learnt.is_of(unknowns.len()));
@@ -111,11 +123,15 @@ impl Iterative {
         };
         let learnt = self.learnt.as_ref();
         let kept = learnt.map_or(0, Learnt::products);
+        let (leading, essential) = match &self.first_part {
+            Some(first_part) => (first_part.motions, first_part.size),
+            None => (equations.layout().motions().end, equations.size()),
+        };
         let options = GmresOptions {
             tolerance: accuracy,
-            leading: equations.layout().motions().end,
+            leading,
             iteration_limit: self.limit,
-            essential: equations.size(),
+            essential,
             parts: Parts::of(self.slenderness, accuracy),
             restart: (KEPT / size_of_val(unknowns))
                 .saturating_sub(kept)
@@ -125,6 +141,7 @@ impl Iterative {
             equations,
             tangent: &mut self.tangent,
             factors,
+            first_part: self.first_part.as_mut(),
             borders,
             learnt,
         };
@@ -158,7 +175,8 @@ impl Iterative {
     /// Counts what so many vectors of that size take beside all else.
     pub(super) fn count_bytes(&mut self, vectors: usize, size: usize) {
         let factors = self.factors.as_ref().map_or(0, Factors::bytes);
-        let bytes = self.tangent.bytes() + factors + (vectors + 4) * size * size_of::<f64>();
+        let entries = (vectors + 4) * size + self.first_part.as_ref().map_or(0, FirstPart::entries);
+        let bytes = self.tangent.bytes() + factors + entries * size_of::<f64>();
         self.record.bytes = self.record.bytes.max(bytes);
     }
 }

@@ -4,7 +4,8 @@
 //!
 //! * `gmres`: the iteration itself, on any operator, in `long_vectors` and `least_squares`.
 //!   `iteration` is that on the equations, `operator` theirs, between borders, too, `learnt` what
-//!   long solves leave to others; `projected` iterates on oversampled equations.
+//!   long solves leave to others, `first_part` what vectors have of like blades; `projected`
+//!   iterates on oversampled equations.
 //! * `body_circulant`: bodies averaged over time, joints as they are. In `constraints` which of
 //!   these may be averaged too, in `mean` the averages, in `chunks` which harmonics are side by
 //!   side, in `projection` those of like blades, in
@@ -26,6 +27,7 @@ mod chunks;
 mod constraints;
 mod dense;
 mod factors;
+mod first_part;
 mod front_lu;
 mod fronts;
 mod gmres;
@@ -71,6 +73,7 @@ use crate::solve::linear::solver::LinearSolver;
 use crate::solve::report::{Timings, timed};
 use crate::work::PRODUCT;
 use factors::Factors;
+use first_part::FirstPart;
 pub(crate) use gmres::{GmresOptions, GmresWorkspace, Preconditioned, gmres};
 use interface::{Bounds, LEFT_OUT, likely_work};
 use learnt::Learnt;
@@ -141,6 +144,8 @@ pub(crate) struct Iterative {
     workspace: GmresWorkspace,
     /// What a long solve with the factors has found.
     learnt: Option<Learnt>,
+    /// What vectors have of one blade of several.
+    first_part: Option<FirstPart>,
     pub record: IterativeRecord,
 }
 
@@ -168,6 +173,7 @@ impl Iterative {
             limit: ITERATION_LIMIT,
             workspace: GmresWorkspace::default(),
             learnt: None,
+            first_part: FirstPart::of(equations),
             record: IterativeRecord::default(),
         }
     }
@@ -284,6 +290,9 @@ impl Iterative {
 impl LinearSolver for Iterative {
     fn release(&mut self) {
         self.workspace = GmresWorkspace::default();
+        if let Some(first_part) = &mut self.first_part {
+            first_part.release();
+        }
     }
 
     fn linearise(

@@ -3,6 +3,7 @@
 
 use super::ROUGH;
 use super::factors::Factors;
+use super::first_part::FirstPart;
 use super::gmres::{GmresEnd, Preconditioned};
 use super::learnt::Learnt;
 use crate::collocation::{Collocation, Tangent};
@@ -19,6 +20,8 @@ pub(super) struct Operator<'a> {
     pub equations: &'a Collocation,
     pub tangent: &'a mut Tangent,
     pub factors: &'a mut Factors,
+    /// What vectors have of one blade of several.
+    pub first_part: Option<&'a mut FirstPart>,
     /// With these, and what the factors make of them.
     pub borders: Option<(&'a Borders, &'a Eliminated)>,
     /// What solves before have found of this.
@@ -29,9 +32,16 @@ impl Operator<'_> {
     /// `P⁻¹ y`.
     fn precondition_alone(&mut self, y: &mut [f64]) {
         let size = self.equations.size();
+        if let Some(first_part) = &mut self.first_part {
+            let (equations, factors) = (self.equations, &mut *self.factors);
+            first_part.precondition(equations, y, |all| {
+                factors.apply(all, size);
+                equations.project(all);
+            });
+            return;
+        }
         let Some((borders, eliminated)) = self.borders else {
             self.factors.apply(y, size);
-            self.equations.project(y);
             return;
         };
         let end = y.len() - borders.count();
@@ -44,9 +54,16 @@ impl Preconditioned for Operator<'_> {
     fn product(&mut self, x: &[f64], y: &mut [f64]) {
         let numbers = self.equations.layout().motions().len() as f64;
         self.equations.workers().work().spend(PRODUCT * numbers);
+        if let Some(first_part) = &mut self.first_part {
+            let (equations, tangent) = (self.equations, &mut *self.tangent);
+            first_part.product(equations, x, y, |x, y| {
+                tangent.apply(equations, x, y);
+                equations.average(y);
+            });
+            return;
+        }
         let Some((borders, _)) = self.borders else {
             self.tangent.apply(self.equations, x, y);
-            self.equations.average(y);
             return;
         };
         let end = x.len() - borders.count();
