@@ -120,6 +120,20 @@ impl System {
         let shared = parts * symmetry.blades;
         if shared <= largest { shared } else { points }
     }
+
+    /// The most of no more than so many points that like blades can share, but `least` at least;
+    /// `points` itself if there are none.
+    pub fn fewer_shared_points(&self, points: usize, least: usize) -> usize {
+        let Some(symmetry) = &self.symmetry else {
+            return points;
+        };
+        let most = points / symmetry.blades;
+        let parts = match symmetry.blades % 2 {
+            0 => most,
+            _ => most.saturating_sub(1 - most % 2),
+        };
+        least.max(parts * symmetry.blades)
+    }
 }
 
 /// The image of each element: that of the same kind on the images of its nodes, where there are

@@ -88,10 +88,10 @@ fn fronts(system: &System, points: usize, workers: usize) -> (Vec<usize>, Vec<Fr
 }
 
 /// Multiply-adds of an iteration of Newton's method on a grid of so many points that is easy: by
-/// factors or by few products, as costs less.
-pub(crate) fn easy_iteration(system: &System, points: usize) -> f64 {
+/// `factors` of the whole Jacobian or by few products, as costs less.
+pub(crate) fn easy_iteration(system: &System, points: usize, factors: DirectCost) -> f64 {
     let numbers = system.layout(points).motions().len() as f64;
-    let by_factors = DirectCost::of(system, points).work;
+    let by_factors = factors.work;
     let solved = match by_factors < AFFORDABLE * numbers {
         true => OF_FACTORS * by_factors,
         false => by_factors.min(EASY_PRODUCTS * PRODUCT * numbers),

@@ -61,9 +61,14 @@ pub(crate) struct Linear {
 }
 
 impl Plan {
-    /// The same, by what is left of one blade where all are alike and that costs less.
-    pub fn of_symmetric(equations: &Collocation, method: LinearMethod, most_bytes: f64) -> Self {
-        let plan = Self::of(equations, method, most_bytes);
+    /// The same, by what is left of one blade where all are alike and that costs less; `cost` is
+    /// that of factors of the whole Jacobian.
+    pub fn of_symmetric(
+        equations: &Collocation,
+        method: LinearMethod,
+        (most_bytes, cost): (f64, DirectCost),
+    ) -> Self {
+        let plan = Self::of_cost(equations, method, (most_bytes, cost));
         let slender = equations.system().slenderness() > SLENDER;
         // Other preconditioners do not know one blade.
         let others = match method {
@@ -84,29 +89,31 @@ impl Plan {
         };
         // Of what is left they take about as much for each number as of the whole.
         let of_whole = equations.layout().motions().len() as f64;
-        let dear = numbers >= SMALL && plan.cost.work > DEAR * AFFORDABLE * of_whole;
-        let tries_factors = match method {
-            LinearMethod::Iterative(_) => false,
-            LinearMethod::Direct => true,
-            LinearMethod::Automatic => !dear,
-        };
-        let mut by_factors = None;
-        if tries_factors {
+        let dear = plan.cost.work > DEAR * AFFORDABLE * of_whole;
+        // If they take no more than so much for each number.
+        let by_factors = |most_work: f64| {
             let blades = OfLikeBlades::by_factors(equations, left.clone(), whole());
             let cost = blades.cost().unwrap_or(DirectCost::NONE);
-            let cheap = numbers < SMALL || cost.work < AFFORDABLE * numbers;
-            let fits = cost.bytes < LARGE.min(most_bytes);
-            if method == LinearMethod::Direct || fits && cheap {
-                by_factors = Some((blades, tangent + DELAYED * cost.bytes));
-            }
-        }
+            let fits = cost.bytes < LARGE.min(most_bytes) && cost.work < most_work * numbers;
+            let serves = method == LinearMethod::Direct || fits;
+            serves.then_some((blades, tangent + DELAYED * cost.bytes))
+        };
         let by_iteration = || {
             let iterated = iteration_bytes(system, points, plan.cost);
-            let blades = OfLikeBlades::by_iteration(equations, left, whole())?;
+            let blades = OfLikeBlades::by_iteration(equations, left.clone(), whole())?;
             // No more than by iteration on all blades.
             Some((blades, iterated))
         };
-        match by_factors.or_else(by_iteration) {
+        let found = match method {
+            LinearMethod::Direct => by_factors(f64::INFINITY),
+            LinearMethod::Iterative(_) => by_iteration(),
+            LinearMethod::Automatic => {
+                let cheap = (!dear).then(|| by_factors(AFFORDABLE)).flatten();
+                let small = || (numbers < SMALL).then(|| by_factors(f64::INFINITY));
+                cheap.or_else(by_iteration).or_else(|| small().flatten())
+            }
+        };
+        match found {
             Some((blades, bytes)) => Plan {
                 bytes,
                 choice: Choice::LikeBlades(Box::new(blades)),
@@ -149,15 +156,14 @@ impl Linear {
         }
     }
 
-    /// With what the solver of the same equations on a coarser grid has found out.
-    pub fn after(mut self, coarse: &Linear) -> Self {
+    /// Takes what the solver of the same equations on a coarser grid has found out.
+    pub fn learn_from(&mut self, coarse: &Linear) {
         if let (Active::Iterative(next), Active::Iterative(last)) =
             (&mut self.active, &coarse.active)
         {
             next.fails_locally = last.fails_locally;
             next.left_out = last.left_out;
         }
-        self
     }
 
     /// Whether equations are solved by factors.

@@ -65,10 +65,19 @@ pub(crate) struct Plan {
 impl Plan {
     /// For `equations`, as `method` says, with at most so many bytes where it says nothing.
     pub fn of(equations: &Collocation, method: LinearMethod, most_bytes: f64) -> Self {
+        let cost = DirectCost::of(equations.system(), equations.grid().points());
+        Self::of_cost(equations, method, (most_bytes, cost))
+    }
+
+    /// The same where it is known what factors of the whole Jacobian take.
+    pub(super) fn of_cost(
+        equations: &Collocation,
+        method: LinearMethod,
+        (most_bytes, cost): (f64, DirectCost),
+    ) -> Self {
         let (system, points) = (equations.system(), equations.grid().points());
         let mut falls_back = false;
         let mut most_products = usize::MAX;
-        let cost = DirectCost::of(system, points);
         let choice = match method {
             LinearMethod::Direct => Choice::Direct,
             LinearMethod::Iterative(preconditioner) => Choice::Iterative(preconditioner),

@@ -1,10 +1,10 @@
 //! Newton's method for the periodic motion on one grid after the other.
 
 use super::Newton;
-use crate::collocation::{Collocation, GridState, Leaders};
+use crate::collocation::{Collocation, GridState, Leaders, LikeBlades};
 use crate::error::{ErrorKind, Result};
 use crate::fourier::{Resampling, TimeGrid};
-use crate::solve::linear::cost::easy_iteration;
+use crate::solve::linear::cost::{DirectCost, easy_iteration};
 use crate::solve::linear::iterative::Projected;
 use crate::solve::linear::method::{Linear, LinearMethod};
 use crate::solve::linear::plan::Plan;
@@ -41,10 +41,11 @@ pub(crate) struct Means {
 }
 
 impl Means {
-    /// Allows the work that goes with a grid, if that is more than with those before.
-    pub fn allow(&self, system: &System, grid: TimeGrid) {
+    /// Allows the work that goes with a grid, on which factors of the whole Jacobian take so much,
+    /// if that is more than with those before.
+    pub fn allow(&self, system: &System, grid: TimeGrid, factors: DirectCost) {
         if self.work_limit > 0.0 {
-            let unit = LEAST_ITERATION + easy_iteration(system, grid.points());
+            let unit = LEAST_ITERATION + easy_iteration(system, grid.points(), factors);
             let share = if self.is_given { GIVEN } else { 1.0 };
             self.workers
                 .work()
@@ -52,15 +53,11 @@ impl Means {
         }
     }
 
-    /// Newton's method on a grid, after that on the `last` one.
-    fn on(
-        &self,
-        system: &Arc<System>,
-        grid: TimeGrid,
-        last: Option<&Linear>,
-    ) -> Result<Newton<Projected<Linear>>> {
+    /// Newton's method on a grid.
+    fn on(&self, system: &Arc<System>, grid: TimeGrid) -> Result<Newton<Projected<Linear>>> {
         let start = Instant::now();
-        self.allow(system, grid);
+        let cost = DirectCost::of(system, grid.points());
+        self.allow(system, grid, cost);
         let sampled = grid.points().saturating_mul(self.oversampling);
         self.memory.require_grid(system, sampled)?;
         let mut equations = Collocation::new(system.clone(), grid)?;
@@ -70,13 +67,10 @@ impl Means {
         }
         let states = of_grid(system, sampled) as f64;
         let most = self.memory.bytes() - states;
-        let plan = Plan::of_symmetric(&equations, self.linear, most);
+        let plan = Plan::of_symmetric(&equations, self.linear, (most, cost));
         let what = format!("a solve on a grid of {} points", grid.points());
         self.memory.require(&what, (states + plan.bytes) as usize)?;
-        let mut linear = Linear::planned(&equations, plan);
-        if let Some(last) = last {
-            linear = linear.after(last);
-        }
+        let linear = Linear::planned(&equations, plan);
         let linear = Projected::new(&equations, linear);
         let mut newton = Newton::with(equations, linear);
         newton.timings.analysis = start.elapsed();
@@ -99,6 +93,9 @@ pub(crate) struct OnGrid<'a> {
     pub grid: TimeGrid,
     pub means: Means,
     pub newton: Newton<Projected<Linear>>,
+    /// Whether anything was done with it, and what was made for another grid before that.
+    is_used: bool,
+    unused: Option<(TimeGrid, Newton<Projected<Linear>>)>,
     pub watching: Watching,
     observe: &'a mut StageObserver<'a>,
     /// Newton iterations at single instants, to find starts, and the time that starts took.
@@ -120,7 +117,9 @@ impl<'a> OnGrid<'a> {
         observe: &'a mut StageObserver<'a>,
     ) -> Result<Self> {
         Ok(OnGrid {
-            newton: means.on(system, grid, None)?,
+            newton: means.on(system, grid)?,
+            is_used: false,
+            unused: None,
             system: system.clone(),
             grid,
             means,
@@ -152,6 +151,7 @@ impl<'a> OnGrid<'a> {
 
     /// From `state`, to another tolerance.
     pub fn solve_to(&mut self, mut state: GridState, options: &NewtonOptions) -> Result<Found> {
+        self.is_used = true;
         self.watching.stage(Stage::Newton);
         let observe = &mut *self.observe;
         let mut observe = |iteration: &Iteration| observe(Stage::Newton, iteration);
@@ -204,24 +204,35 @@ impl<'a> OnGrid<'a> {
         if grid == self.grid {
             return Ok(());
         }
+        let made = self.unused.take().filter(|(of, _)| *of == grid);
+        let mut next = match made {
+            Some((_, made)) => made,
+            None => self.means.on(&self.system, grid)?,
+        };
         let last = self.newton.linear.sampled();
-        let next = self.means.on(&self.system, grid, Some(last))?;
+        next.linear.sampled_mut().learn_from(last);
+        let last = (self.grid, self.replace_solver(next));
+        self.unused = (!self.is_used).then_some(last);
+        self.is_used = false;
         self.grid = grid;
         self.watching.grid(grid.points());
-        self.replace_solver(next);
         Ok(())
     }
 
     /// Forgets what has been found about the equations, which the present grid may not share.
     pub fn begin_again(&mut self) -> Result<()> {
-        self.replace_solver(self.means.on(&self.system, self.grid, None)?);
+        let next = self.means.on(&self.system, self.grid)?;
+        self.replace_solver(next);
+        self.is_used = false;
         Ok(())
     }
 
-    fn replace_solver(&mut self, next: Newton<Projected<Linear>>) {
-        let last = std::mem::replace(&mut self.newton, next);
-        self.timings = self.timings + last.timings;
+    /// Gives the former one, of which time and iterations are counted.
+    fn replace_solver(&mut self, next: Newton<Projected<Linear>>) -> Newton<Projected<Linear>> {
+        let mut last = std::mem::replace(&mut self.newton, next);
+        self.timings = self.timings + std::mem::take(&mut last.timings);
         self.iterations += last.iterations;
+        last
     }
 
     /// Goes on with another grid, from a solution on the present one; none if that is too coarse to
@@ -235,8 +246,8 @@ impl<'a> OnGrid<'a> {
             .memory
             .require_grid(&self.system, grid.points())?;
         let alike = self.newton.alike.clone();
+        self.newton.update_kinematics(state);
         let equations = &mut self.newton.equations;
-        equations.update_kinematics(state);
         let resampling = Resampling::between(from, 0.0, grid);
         let resultants = equations.resampled_resultants(resampling, alike.as_deref())?;
         self.start_time += began.elapsed();
@@ -244,6 +255,7 @@ impl<'a> OnGrid<'a> {
         let leaders = alike.and_then(|_| Leaders::on(&self.system, grid));
         let start = self.resampled_alike(state, from, (grid, leaders.as_ref()))?;
         if start.is_some() {
+            self.is_used = true;
             self.newton.equations.set_resultants(resultants);
         }
         Ok(start)
@@ -253,6 +265,18 @@ impl<'a> OnGrid<'a> {
     /// to tell.
     pub fn carried(&mut self, state: &GridState, from: TimeGrid) -> Result<Option<GridState>> {
         self.resampled(state, from, self.grid)
+    }
+
+    /// The same of a quasi-static motion: like blades move alike in it.
+    pub fn carried_alike(
+        &mut self,
+        state: &GridState,
+        from: TimeGrid,
+    ) -> Result<Option<GridState>> {
+        let to = self.grid;
+        let alike = LikeBlades::on(&self.system, from);
+        let leaders = alike.and_then(|_| Leaders::on(&self.system, to));
+        self.resampled_alike(state, from, (to, leaders.as_ref()))
     }
 
     /// The same at the points of any grid.

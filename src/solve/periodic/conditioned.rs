@@ -10,6 +10,7 @@ use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
 use crate::solve::conditions::{Condition, Conditioned, Free};
+use crate::solve::linear::cost::DirectCost;
 use crate::solve::linear::method::Linear;
 use crate::solve::linear::plan::Plan;
 use crate::solve::newton::Newton;
@@ -177,7 +178,8 @@ impl ConditionedSolve<'_> {
         let conditioned = conditioned.under(self.conditions, &equations, state)?;
         state.scalars = conditioned.values(grid.period())?;
         equations.set_scalars(Arc::new(conditioned.clone()));
-        let plan = Plan::of_symmetric(&equations, self.options.linear, f64::INFINITY);
+        let cost = DirectCost::of(system, grid.points());
+        let plan = Plan::of_symmetric(&equations, self.options.linear, (f64::INFINITY, cost));
         let linear = Linear::planned(&equations, plan);
         let mut newton = Newton::bordered(equations, linear);
         let solved = newton.solve(state, &self.options.newton, observe);

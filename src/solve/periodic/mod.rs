@@ -24,6 +24,7 @@ use crate::collocation::require_like_blades;
 use crate::error::Result;
 use crate::fourier::TimeGrid;
 use crate::model::Model;
+use crate::solve::linear::cost::DirectCost;
 use crate::solve::memory::MemoryLimit;
 use crate::solve::newton::on_grid::{Found, Means, OnGrid};
 use crate::solve::report::{Iteration, Outcome};
@@ -93,7 +94,7 @@ impl FirstGrids {
                 let is_large = wanted > LARGE * guess;
                 FirstGrids {
                     wanted,
-                    starts: system.shared_points(guess.min(wanted), wanted),
+                    starts: system.fewer_shared_points(guess.min(wanted), coarse),
                     coarse,
                     solved: if is_large { coarse } else { wanted },
                 }
@@ -106,7 +107,10 @@ impl FirstGrids {
                         let points = state.points();
                         (points, adaptation.guess(points))
                     }
-                    _ => (shared(first), shared(adaptation.guess(first))),
+                    _ => {
+                        let (wanted, guess) = (shared(first), adaptation.guess(first));
+                        (wanted, system.fewer_shared_points(guess, wanted))
+                    }
                 };
                 FirstGrids {
                     wanted,
@@ -195,8 +199,9 @@ pub fn solve_periodic(
         coarse_start: None,
         assessed: None,
     };
-    for grid in [wanted, of_starts] {
-        solve.on.means.allow(&system, grid);
+    for grid in [wanted, of_starts].into_iter().filter(|of| *of != grid) {
+        let cost = DirectCost::of(&system, grid.points());
+        solve.on.means.allow(&system, grid, cost);
     }
     // All that came before: the system, the loads, the first pattern.
     solve.on.timings.analysis = began.elapsed() - solve.on.newton.timings.analysis;

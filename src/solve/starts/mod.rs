@@ -159,7 +159,7 @@ impl Starts {
         if on.grid == from {
             return Ok(Some(guess.state.clone()));
         }
-        on.carried(&guess.state, from)
+        on.carried_alike(&guess.state, from)
     }
 
     /// The first quasi-static motion at the points of another grid, if that is how to start and

@@ -160,7 +160,10 @@ impl FreedomSolver {
     /// node. Not where there are beams: they are stiff in tension by so much that what is left for
     /// bending would be rounding.
     pub fn work(equations: &Collocation) -> Option<f64> {
-        Self::work_of(&Layout::new(equations), equations)
+        match equations.system().slenderness() == 0.0 {
+            true => Self::work_of(&Layout::new(equations), equations),
+            false => None,
+        }
     }
 
     fn work_of(layout: &Layout, equations: &Collocation) -> Option<f64> {

@@ -60,6 +60,11 @@ impl<L: LinearSolver> Projected<L> {
     pub fn sampled(&self) -> &L {
         &self.sampled
     }
+
+    /// The same.
+    pub fn sampled_mut(&mut self) -> &mut L {
+        &mut self.sampled
+    }
 }
 
 impl<L: LinearSolver> LinearSolver for Projected<L> {
