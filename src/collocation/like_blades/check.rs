@@ -1,7 +1,7 @@
 //! Whether blades are alike in all that acts on them, and what carries constraint forces from one
 //! to the next: both are found by evaluating the elements.
 
-use super::{LikeBlades, scaled_adjoint};
+use super::{Leaders, LikeBlades, scaled_adjoint};
 use crate::collocation::problem::Collocation;
 use crate::collocation::state::GridState;
 use crate::error::Result;
@@ -63,6 +63,7 @@ pub(super) fn checked_carries(
     state.track_through(system);
     let carries = carries(&mut equations, symmetry, &state)?;
     let tried = LikeBlades::new(system, symmetry, count, &carries);
+    let leaders = Arc::new(Leaders::new(system, &tried));
 
     // Constraint forces, where constraints are met; then everything else, anywhere.
     let mut loaded = state.clone();
@@ -76,14 +77,19 @@ pub(super) fn checked_carries(
         }
     }
     tried.make_alike(system, equations.column_scale(), &mut loaded);
+    equations.update_kinematics_by(Some(leaders.clone()), &loaded);
     require_alike(&mut equations, symmetry, &carries, (&loaded, true))?;
     let length = system.scales().length;
     for (i, motion) in state.motions.iter_mut().enumerate() {
+        if !leaders.leads(i / count) {
+            continue;
+        }
         let step = Vector6::from_fn(|j, _| TRIED * spread(6 * i + j));
         let scale = Vector6::new(length, length, length, 1.0, 1.0, 1.0);
         *motion = motion.increment(&step.component_mul(&scale));
     }
     tried.make_alike(system, equations.column_scale(), &mut state);
+    equations.update_kinematics_by(Some(leaders), &state);
     require_alike(&mut equations, symmetry, &carries, (&state, false))?;
     Ok(Some(carries))
 }
@@ -185,28 +191,38 @@ fn carries(
 struct Acting {
     role: ElementRole,
     nodes: Vec<usize>,
-    /// Forces on the nodes, scaled, at every so manieth grid point.
+    /// Whether it is a matter of motions alone, which tell as much at one time as at others: then
+    /// forces are those at the first point of two parts of the period.
+    is_by_motions: bool,
+    /// Forces on the nodes, scaled, at each grid point.
     forces: Vec<DVector<f64>>,
-    step: usize,
 }
+
+/// What elements that act together have in common: their kind, their nodes, and whether what they
+/// do is a matter of motions alone.
+type Key = (Discriminant<ElementRole>, Vec<usize>, bool);
 
 /// What all elements do.
 struct All {
     /// Those of one kind on the same nodes.
     acting: Vec<Acting>,
     /// Place of each kind on its nodes.
-    places: HashMap<(Discriminant<ElementRole>, Vec<usize>), usize>,
+    places: HashMap<Key, usize>,
     /// Of each element, at each grid point: what is asked of its own unknowns, scaled.
     asked: Vec<Vec<DVector<f64>>>,
 }
 
 impl All {
-    /// At a state; of own unknowns, of multipliers where constraints are `met`, of internal states
-    /// elsewhere.
-    fn at(equations: &mut Collocation, (state, met): (&GridState, bool)) -> Result<Self> {
+    /// At a state, of which the equations have the kinematics; of own unknowns, of multipliers
+    /// where constraints are `met`, of internal states elsewhere.
+    fn at(
+        equations: &mut Collocation,
+        symmetry: &Symmetry,
+        (state, met): (&GridState, bool),
+    ) -> Result<Self> {
         let system = equations.system().clone();
         let (points, layout) = (state.points(), equations.layout());
-        equations.update_kinematics(state);
+        let part = points / symmetry.blades;
         let mut workspace = system.workspace(false);
         let mut all = All {
             acting: Vec::new(),
@@ -222,30 +238,28 @@ impl All {
                 continue;
             }
             let nodes = placed.element.nodes();
-            let key = (discriminant(&placed.role), nodes.to_vec());
+            let is_by_motions = match placed.role {
+                ElementRole::Inertia | ElementRole::Beam(_) | ElementRole::Shell(_) => {
+                    is_plain && !has_own
+                }
+                _ => false,
+            };
+            let key = (discriminant(&placed.role), nodes.to_vec(), is_by_motions);
             let place = *all.places.entry(key).or_insert(all.acting.len());
             if place == all.acting.len() {
                 all.acting.push(Acting {
                     role: placed.role,
                     nodes: nodes.to_vec(),
+                    is_by_motions,
                     forces: vec![DVector::zeros(6 * nodes.len()); points],
-                    step: POINTS,
                 });
             }
             let mut own = Vec::new();
-            // What no signals act on tells as much at one point of each part of the period.
-            let step = match placed.role {
-                ElementRole::Inertia | ElementRole::Beam(_) | ElementRole::Shell(_)
-                    if is_plain && !has_own =>
-                {
-                    POINTS
+            let forces = all.acting[place].forces.iter_mut().enumerate();
+            for (k, sum) in forces {
+                if is_by_motions && k != 0 && k != part {
+                    continue;
                 }
-                _ => 1,
-            };
-            let acting = &mut all.acting[place];
-            acting.step = acting.step.min(step);
-            let forces = acting.forces.iter_mut().enumerate();
-            for (k, sum) in forces.step_by(step) {
                 let out = (equations.instants).evaluate(placed, k, state, &mut workspace)?;
                 for (i, (sum, x)) in sum.iter_mut().zip(&out.force).enumerate() {
                     *sum += x * equations.row_scale()[i % 6];
@@ -262,23 +276,27 @@ impl All {
     }
 }
 
-/// Checks that the forces of all elements at a state in which blades move alike are alike, and
-/// what is asked of their own unknowns: of multipliers where constraints are `met`, of internal
-/// states elsewhere.
+/// Checks that the forces of all elements at a state in which blades move alike, of which the
+/// equations have the kinematics, are alike, and what is asked of their own unknowns: of
+/// multipliers where constraints are `met`, of internal states elsewhere.
 fn require_alike(
     equations: &mut Collocation,
     symmetry: &Symmetry,
     carries: &[Option<DMatrix<f64>>],
     (state, met): (&GridState, bool),
 ) -> Result<()> {
-    let all = All::at(equations, (state, met))?;
+    let all = All::at(equations, symmetry, (state, met))?;
     require_like_demands(equations.system(), symmetry, carries, &all.asked)?;
     let forces = all.acting.iter().flat_map(|acting| &acting.forces);
     let largest = forces.fold(0.0f64, |most, forces| most.max(forces.amax()));
     let length = equations.system().scales().length;
     for acting in &all.acting {
         let images = acting.nodes.iter().map(|&node| symmetry.nodes[node]);
-        let key = (discriminant(&acting.role), images.collect());
+        let key = (
+            discriminant(&acting.role),
+            images.collect(),
+            acting.is_by_motions,
+        );
         let image = all.places.get(&key).map(|&i| &all.acting[i]);
         acting.require_like((image, largest), symmetry, length)?;
     }
@@ -297,14 +315,14 @@ impl Acting {
         let Acting {
             role,
             nodes,
+            is_by_motions,
             forces,
-            ..
         } = self;
         let (points, later) = (forces.len(), later(symmetry));
         let carries: Vec<_> = (nodes.iter())
             .map(|&node| scaled_adjoint(&symmetry.carries[node], length))
             .collect();
-        for k in (0..points).step_by(self.step) {
+        for k in 0..if *is_by_motions { 1 } else { points } {
             let there = &forces[(k + points / symmetry.blades) % points];
             let mut off = 0.0f64;
             for (local, carry) in carries.iter().enumerate() {
