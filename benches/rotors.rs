@@ -50,8 +50,8 @@ fn solve(model: &Model, period: f64, options: &PeriodicOptions) -> (Duration, So
     solved
 }
 
-/// Times faster by one blade.
-fn compare(kind: &RotorKind, options: &[PeriodicOptions; 2]) -> f64 {
+/// Times faster by one blade, and times smaller.
+fn compare(kind: &RotorKind, options: &[PeriodicOptions; 2]) -> [f64; 2] {
     let rotor = bladed_rotor(kind);
     let models = [rotor.model.clone(), rotor.symmetric()];
     let mut times = [Vec::new(), Vec::new()];
@@ -84,7 +84,7 @@ fn compare(kind: &RotorKind, options: &[PeriodicOptions; 2]) -> f64 {
     let hinged = if kind.hinged { "hinged" } else { "clamped" };
     println!(
         "{} × {} {hinged:8}{points:4}{reduced_points:4}{:9.1}{:9.1}{ratio:7.2}\
-         {bytes:8.1}{reduced_bytes:8.1}{off:10.1e}",
+         {bytes:8.2}{reduced_bytes:8.2}{off:10.1e}",
         kind.blades,
         kind.elements,
         1e3 * all,
@@ -95,7 +95,7 @@ fn compare(kind: &RotorKind, options: &[PeriodicOptions; 2]) -> f64 {
             print_phases(solution);
         }
     }
-    ratio
+    [ratio, bytes / reduced_bytes]
 }
 
 /// Milliseconds of each phase of a solve.
@@ -143,8 +143,11 @@ fn main() {
         };
         let ratios = numbers.clone();
         let ratios = ratios.map(|i| compare(&drawn(blades, i), &options));
-        let mut ratios: Vec<f64> = ratios.collect();
-        ratios.sort_by(f64::total_cmp);
-        println!("{blades} blades: {ratios:.2?}");
+        let ratios: Vec<[f64; 2]> = ratios.collect();
+        for (i, what) in ["faster", "smaller"].iter().enumerate() {
+            let mut times: Vec<f64> = ratios.iter().map(|ratio| ratio[i]).collect();
+            times.sort_by(f64::total_cmp);
+            println!("{blades} blades, times {what}: {times:.2?}");
+        }
     }
 }

@@ -1,6 +1,7 @@
 //! How fast the harmonics of the motions decay: what a grid leaves out, and where in the period.
 //! See docs/theory.md, section 10.1.
 
+use super::like_blades::Leaders;
 use super::state::GridState;
 use crate::fourier::{Resampling, TimeGrid};
 use crate::motion::Motion;
@@ -54,6 +55,16 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 impl Decay {
     /// Harmonics of the motions in `state`.
     pub fn of(system: &System, grid: TimeGrid, state: &GridState) -> Self {
+        Self::of_leaders(system, grid, (state, None))
+    }
+
+    /// The same; if blades move alike, of the nodes that differ from others by more than by what
+    /// time it is.
+    pub(crate) fn of_leaders(
+        system: &System,
+        grid: TimeGrid,
+        (state, leaders): (&GridState, Option<&Leaders>),
+    ) -> Self {
         let length = system.scales().length;
         let last = grid.harmonics();
         let mut resampling = Resampling::new(grid, 0.0, grid.points());
@@ -73,6 +84,9 @@ impl Decay {
             }
         };
         for node in 0..system.nodes() {
+            if leaders.is_some_and(|leaders| leaders.is_copied(node)) {
+                continue;
+            }
             let motions = state.node(node);
             for i in 0..3 {
                 add(motions, &|m| m.position[i] / length);
@@ -81,7 +95,12 @@ impl Decay {
                 add(motions, &|m| m.rotation[i]);
             }
         }
-        let most = (0..grid.points()).fold(0, |k, l| if largest[l] > largest[k] { l } else { k });
+        // Others are there a part of the period later.
+        let part = leaders.map_or(grid.points(), Leaders::part);
+        for k in part..grid.points() {
+            largest[k % part] = largest[k % part].max(largest[k]);
+        }
+        let most = (0..part).fold(0, |k, l| if largest[l] > largest[k] { l } else { k });
         Decay {
             least_resolved: grid.time(most),
             ..Decay::from_amplitudes(amplitudes)

@@ -212,13 +212,31 @@ impl GridState {
 
     /// The state after the fraction `step` of a Newton increment of all unknowns.
     pub fn incremented(&self, system: &System, increment: &[f64], step: f64) -> Self {
+        let all = |_| self.points;
+        self.incremented_some(system, (increment, step), &all, |_| ())
+    }
+
+    /// The same where motions of each node are incremented at so many grid points, from the first
+    /// on; all others follow by `complete`.
+    pub(super) fn incremented_some(
+        &self,
+        system: &System,
+        (increment, step): (&[f64], f64),
+        points_of: &dyn Fn(usize) -> usize,
+        complete: impl FnOnce(&mut [Motion]),
+    ) -> Self {
         let mut next = self.clone();
         let layout = system.layout(self.points).with_scalars(self.scalars.len());
         let motions = &increment[layout.motions()];
-        for (motion, u) in next.motions.iter_mut().zip(motions.chunks_exact(6)) {
-            let u = nalgebra::Vector6::from_column_slice(u) * step;
-            *motion = motion.increment(&u).renormalised();
+        for (node, of_node) in next.motions.chunks_exact_mut(self.points).enumerate() {
+            let increments = motions[layout.node(node)].chunks_exact(6);
+            let some = of_node.iter_mut().take(points_of(node));
+            for (motion, u) in some.zip(increments) {
+                let u = nalgebra::Vector6::from_column_slice(u) * step;
+                *motion = motion.increment(&u).renormalised();
+            }
         }
+        complete(&mut next.motions);
         next.track_along(system, self, motions, step);
         let add = |(value, change): (&mut f64, &f64)| *value += step * change;
         let own = &increment[layout.own()];

@@ -1,10 +1,14 @@
 //! Forces of periodic solutions must repeat themselves.
 
 use super::solution::Solution;
+use crate::collocation::LikeBlades;
 use crate::error::{Error, ErrorKind, Result};
 use crate::model::JointCoordinate;
 use crate::quantity::{JointQuantity, Quantity, exerted, state_gain};
 use crate::system::ElementRole;
+
+/// Differences of motions of blades, relative to the size of the system, that are alike.
+const ALIKE: f64 = 1e-9;
 
 impl Solution {
     /// A spring on an angle that gains turns would pull ever harder; what depends on such an angle
@@ -14,12 +18,17 @@ impl Solution {
             return Ok(());
         }
         let (system, history) = (&self.solve.system, self.history());
+        let left = self.blades_that_move_alike();
+        let leads = |element| left.as_ref().is_none_or(|left| left.leads(element));
         // Of each coordinate that forces are at.
         let mut known = Vec::new();
-        for placed in system.elements() {
+        for (element, placed) in system.elements().iter().enumerate() {
             let ElementRole::Force(index) = placed.role else {
                 continue;
             };
+            if !leads(element) {
+                continue;
+            }
             let gains = self.gains(self.model.forces[index].coordinates(), &mut known)?;
             let Some(&(at, gain)) = gains.first() else {
                 continue;
@@ -80,6 +89,21 @@ impl Solution {
         }
         Ok(())
     }
+
+    /// What is left of like blades that move alike, if forces act on others than that which leads:
+    /// what they do is what it does there.
+    fn blades_that_move_alike(&self) -> Option<LikeBlades> {
+        let system = &self.solve.system;
+        let left = LikeBlades::on(system, self.grid())?;
+        let follows = |(element, role): (usize, ElementRole)| {
+            matches!(role, ElementRole::Force(_)) && !left.leads(element)
+        };
+        let roles = system.elements().iter().map(|placed| placed.role);
+        let is_alike = roles.enumerate().any(follows)
+            && left.apart(&self.solve.state, system.scales().length) <= ALIKE;
+        is_alike.then_some(left)
+    }
+
     /// What joint coordinates gain in a period, of those that gain something; `known` are those
     /// that were asked for.
     fn gains(

@@ -14,6 +14,8 @@ pub struct Leaders {
     left: LikeBlades,
     /// Grid points, from the first on, at which each element is evaluated.
     of_elements: Vec<usize>,
+    /// Of each node: whether an element acts on it that is evaluated.
+    is_acted_on: Vec<bool>,
     /// Of each node: for each part of the period what carries twists from the leader, if anything.
     carries: Vec<Vec<Option<Carried>>>,
     /// Of each element: whether it acts within one blade, or on hub and supports alone, and what it
@@ -34,6 +36,17 @@ struct Carried {
     /// `Ad(Z⁻¹)` of twists; forces of the follower are `Ad(Z)ᵀ` times those of the leader.
     twist: Matrix6<f64>,
     force: Matrix6<f64>,
+}
+
+impl Carried {
+    /// What a follower does where its leader does this.
+    fn state(&self, there: NodeState) -> NodeState {
+        NodeState {
+            motion: there.motion.compose(&self.motion),
+            twist: self.twist * there.twist,
+            twist_rate: self.twist * there.twist_rate,
+        }
+    }
 }
 
 impl Leaders {
@@ -74,8 +87,14 @@ impl Leaders {
                     .first()
                     .is_some_and(|&first| blades.eq(nodes.iter().map(|_| left.blade(first))))
         });
+        let mut is_acted_on = vec![false; system.nodes()];
+        for (placed, points) in system.elements().iter().zip(&of_elements) {
+            let nodes = placed.element.nodes().iter().filter(|_| *points > 0);
+            nodes.for_each(|&node| is_acted_on[node] = true);
+        }
         Leaders {
             own,
+            is_acted_on,
             by_motions: by_motions.collect(),
             of_elements,
             carries: carries.collect(),
@@ -101,6 +120,11 @@ impl Leaders {
     /// Whether a node leads.
     pub fn leads(&self, node: usize) -> bool {
         self.left.nodes[node].leader == node
+    }
+
+    /// Whether a node does the same as its leader at another time, in the same frame.
+    pub fn is_copied(&self, node: usize) -> bool {
+        !self.leads(node) && self.carries[node].iter().all(Option::is_none)
     }
 
     /// Whether what an element does is a matter of motions alone, and of constant gravity, of one
@@ -194,9 +218,11 @@ impl Leaders {
     /// Writes increments, and those of velocities, of other nodes from those of nodes that lead, at
     /// the same places as states.
     pub(in crate::collocation) fn repeat_changes(&self, changes: &mut [[Vector6<f64>; 2]]) {
-        self.repeat(changes, |carried, there| {
-            there.map(|twist| carried.twist * twist)
-        });
+        self.repeat(
+            changes,
+            |_| true,
+            |carried, there| there.map(|twist| carried.twist * twist),
+        );
     }
 
     /// Of so many grid points, or times as far from each other, those at which a node leads: from
@@ -219,17 +245,32 @@ impl Leaders {
     /// Writes the states of other nodes from those of nodes that lead: node `a` at time `k` of the
     /// grid, or as long after its points, at `a N + k`.
     pub(in crate::collocation) fn repeat_states(&self, states: &mut [NodeState]) {
-        self.repeat(states, |carried, there| NodeState {
-            motion: there.motion.compose(&carried.motion),
-            twist: carried.twist * there.twist,
-            twist_rate: carried.twist * there.twist_rate,
-        });
+        self.repeat(states, |_| true, Carried::state);
     }
 
-    /// Writes what other nodes have from what those have that lead.
-    fn repeat<T: Copy>(&self, all: &mut [T], carry: impl Fn(&Carried, T) -> T) {
+    /// The same of the nodes alone on which elements act that are evaluated.
+    pub(in crate::collocation) fn repeat_states_acted_on(&self, states: &mut [NodeState]) {
+        self.repeat(states, |node| self.is_acted_on[node], Carried::state);
+    }
+
+    /// Writes the motions of other nodes, likewise.
+    pub(in crate::collocation) fn repeat_motions(&self, motions: &mut [Motion]) {
+        self.repeat(
+            motions,
+            |_| true,
+            |carried, there: Motion| there.compose(&carried.motion),
+        );
+    }
+
+    /// Writes what other nodes, those that are wanted, have from what those have that lead.
+    fn repeat<T: Copy>(
+        &self,
+        all: &mut [T],
+        wanted: impl Fn(usize) -> bool,
+        carry: impl Fn(&Carried, T) -> T,
+    ) {
         let points = self.left.blades * self.left.part;
-        for node in 0..self.left.nodes.len() {
+        for node in (0..self.left.nodes.len()).filter(|&node| wanted(node)) {
             if self.leads(node) && self.left.blade(node).is_some() {
                 continue;
             }

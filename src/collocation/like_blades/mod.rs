@@ -93,6 +93,9 @@ impl LikeBlades {
         });
         let elements = followers(&symmetry.elements, blades, |chain, (leader, turns)| {
             let count = system.elements()[leader].element.own_unknowns();
+            if count == 0 {
+                return None;
+            }
             let identity = DMatrix::<f64>::identity(count, count);
             let carry =
                 |element: usize| carries[element].clone().unwrap_or_else(|| identity.clone());
@@ -357,6 +360,11 @@ impl LikeBlades {
             }
         }
         state.track(system);
+    }
+
+    /// Whether an element leads.
+    pub fn leads(&self, element: usize) -> bool {
+        self.elements[element].leader == element
     }
 
     /// How far blades are from moving alike in a state, turns or relative to this length.

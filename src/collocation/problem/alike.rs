@@ -52,6 +52,18 @@ impl Collocation {
         self.leaders.as_ref()
     }
 
+    /// The state after the fraction `step` of an increment of all unknowns; where states are taken
+    /// for alike, that of what leads tells it.
+    pub(crate) fn stepped(&self, state: &GridState, increment: &[f64], step: f64) -> GridState {
+        let Some(leaders) = &self.leaders else {
+            return state.incremented(&self.system, increment, step);
+        };
+        let points_of = |node: usize| leaders.points_of(node, state.points());
+        state.incremented_some(&self.system, (increment, step), &points_of, |motions| {
+            leaders.repeat_motions(motions);
+        })
+    }
+
     /// Evaluates velocities and accelerations at a state, of all nodes from these leaders.
     pub(crate) fn update_kinematics_by(
         &mut self,
@@ -74,7 +86,7 @@ impl Collocation {
         state: &GridState,
         out: &mut [f64],
     ) -> Result<()> {
-        self.update_kinematics_by(Some(leaders.clone()), state);
+        self.ensure_kinematics(Some(leaders.clone()), state);
         let (system, layout) = (self.system.clone(), self.layout);
         let looks_at_all = system.calls_functions() || !self.instants.is_gravity_constant();
         let is_by_motions = |element: usize| !looks_at_all && leaders.is_by_motions(element);

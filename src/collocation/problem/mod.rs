@@ -420,7 +420,7 @@ impl Collocation {
         if let Some(oversampled) = &mut self.oversampled {
             return oversampled.residual(state, out);
         }
-        self.update_kinematics(state);
+        self.update_kinematics_acted_on(state);
         match self.leaders.clone() {
             None => self.forces_where(state, out, &|_, _| true)?,
             Some(leaders) => {

@@ -101,8 +101,7 @@ impl<L: LinearSolver> Run<'_, L> {
             };
             changed = change;
             let change = self.newton.equations.unscaled(&self.increment, -1.0);
-            let system = self.newton.equations.system().clone();
-            let trial = self.state.incremented(&system, &change, 1.0);
+            let trial = self.newton.equations.stepped(self.state, &change, 1.0);
             before = size;
             if !ends {
                 if !self.evaluate(&trial)? {

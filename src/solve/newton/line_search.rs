@@ -61,8 +61,8 @@ impl<L: LinearSolver> Run<'_, L> {
         path: &mut Option<ResultantPath>,
     ) -> Result<Option<(GridState, Test)>> {
         let equations = &self.newton.equations;
-        let (system, has_stations) = (equations.system().clone(), equations.has_stations());
-        let trial = self.state.incremented(&system, line.increment, step);
+        let has_stations = equations.has_stations();
+        let trial = equations.stepped(self.state, line.increment, step);
         if line.is_last && self.leaves_resultants && path.is_none() {
             let equations = &mut self.newton.equations;
             *path = Some(equations.resultants_along(self.state, line.increment)?);

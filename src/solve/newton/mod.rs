@@ -190,9 +190,9 @@ impl<L: LinearSolver> Newton<L> {
         norm(self.equations.layout(), scaled)
     }
 
-    /// Evaluates velocities and accelerations at the last solution.
+    /// Evaluates velocities and accelerations at the last solution, if they are not there.
     pub fn update_kinematics(&mut self, state: &GridState) {
-        (self.equations).update_kinematics_by(self.alike.clone(), state);
+        (self.equations).ensure_kinematics(self.alike.clone(), state);
     }
 
     /// Counts an evaluation that takes so much for each number at a node and grid point.

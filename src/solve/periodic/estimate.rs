@@ -34,7 +34,7 @@ pub(crate) fn assess(
     (state, leaders): (&GridState, Option<&Leaders>),
     workers: &Workers,
 ) -> Result<(Assessment, Option<Defect>)> {
-    let decay = Decay::of(system, grid, state);
+    let decay = Decay::of_leaders(system, grid, (state, leaders));
     let defect = match Defect::of(system, grid, (state, leaders), workers) {
         Ok(defect) => Some(defect),
         // What cannot be interpolated, or is distorted between points, is no failure of the call.
