@@ -11,4 +11,5 @@ mod random;
 pub mod table;
 pub mod timing;
 
+#[allow(unused_imports)] // nor does each draw at random
 pub use random::Random;
