@@ -154,23 +154,18 @@ impl AlikeMotions {
             let Some(step) = step else {
                 continue;
             };
-            let is_still = self.still[node];
-            let carry = |matrix: &Matrix6<f64>, x: Vector6<f64>| match is_still {
-                true => x,
-                false => matrix * x,
-            };
-            let at = |k: usize| layout.motion(node, k).start;
             for k in 0..part {
                 let mut sum = Vector6::zeros();
                 for q in (0..self.blades).rev() {
-                    let here = Vector6::from_column_slice(&x[at(k + q * part)..][..6]);
-                    sum = carry(&step.forth, sum) + here;
+                    let at = layout.motion(node, k + q * part);
+                    let carried = match self.still[node] {
+                        true => sum,
+                        false => step.forth * sum,
+                    };
+                    sum = carried + Vector6::from_column_slice(&x[at]);
                 }
-                let mut mean = sum / self.blades as f64;
-                for q in 0..self.blades {
-                    x[at(k + q * part)..][..6].copy_from_slice(mean.as_slice());
-                    mean = carry(&step.back, mean);
-                }
+                let mean = sum / self.blades as f64;
+                x[layout.motion(node, k)].copy_from_slice(mean.as_slice());
             }
         }
         for (placed, step) in elements.iter().zip(&self.own) {
@@ -179,30 +174,24 @@ impl AlikeMotions {
                 continue;
             };
             let (mut sum, mut next) = (vec![0.0; count], vec![0.0; count]);
-            let mut carry = |matrix: Option<&DMatrix<f64>>, x: &mut Vec<f64>| {
-                let Some(matrix) = matrix else {
-                    return;
-                };
-                for (i, next) in next.iter_mut().enumerate() {
-                    *next = matrix.row(i).iter().zip(&*x).map(|(c, x)| c * x).sum();
-                }
-                x.copy_from_slice(&next);
-            };
-            let [forth, back] = [0, 1].map(|i| step.as_ref().map(|step| &step[i]));
             for k in 0..part {
                 sum.fill(0.0);
                 for q in (0..self.blades).rev() {
-                    carry(forth, &mut sum);
+                    if let Some([forth, _]) = step {
+                        for (i, next) in next.iter_mut().enumerate() {
+                            *next = forth.row(i).iter().zip(&sum).map(|(c, x)| c * x).sum();
+                        }
+                        sum.copy_from_slice(&next);
+                    }
                     let here = &x[layout.element_at(placed, k + q * part)];
                     sum.iter_mut().zip(here).for_each(|(sum, x)| *sum += x);
                 }
-                sum.iter_mut().for_each(|sum| *sum /= self.blades as f64);
-                for q in 0..self.blades {
-                    x[layout.element_at(placed, k + q * part)].copy_from_slice(&sum);
-                    carry(back, &mut sum);
-                }
+                let mean = sum.iter().map(|sum| sum / self.blades as f64);
+                let here = &mut x[layout.element_at(placed, k)];
+                here.iter_mut().zip(mean).for_each(|(x, mean)| *x = mean);
             }
         }
+        self.repeat_unknowns(layout, elements, x);
     }
 
     /// Whether the own unknowns of an element are alike in all parts of the period, as it acts on
