@@ -116,29 +116,8 @@ impl AlikeMotions {
 
     /// Takes from forces on the nodes what does no work on motions that are alike.
     pub fn average(&self, layout: Layout, forces: &mut [f64]) {
-        let part = layout.points() / self.blades;
-        for (node, step) in self.nodes.iter().enumerate() {
-            let Some(step) = step else {
-                continue;
-            };
-            let is_still = self.still[node];
-            for k in 0..part {
-                // f(t) = T⁻ᵀ f(t + T/B)
-                let mut sum = Vector6::zeros();
-                for q in (0..self.blades).rev() {
-                    let here =
-                        Vector6::from_column_slice(&forces[layout.motion(node, k + q * part)]);
-                    let carried = if is_still {
-                        sum
-                    } else {
-                        step.back.tr_mul(&sum)
-                    };
-                    sum = carried + here;
-                }
-                let mean = sum / self.blades as f64;
-                forces[layout.motion(node, k)].copy_from_slice(mean.as_slice());
-            }
-        }
+        // f(t) = T⁻ᵀ f(t + T/B)
+        self.average_nodes(layout, forces, |step, later| step.back.tr_mul(later));
         self.repeat(layout, forces);
     }
 
@@ -149,25 +128,8 @@ impl AlikeMotions {
         elements: &[Placed],
         x: &mut [f64],
     ) {
+        self.average_nodes(layout, x, |step, later| step.forth * later);
         let part = layout.points() / self.blades;
-        for (node, step) in self.nodes.iter().enumerate() {
-            let Some(step) = step else {
-                continue;
-            };
-            for k in 0..part {
-                let mut sum = Vector6::zeros();
-                for q in (0..self.blades).rev() {
-                    let at = layout.motion(node, k + q * part);
-                    let carried = match self.still[node] {
-                        true => sum,
-                        false => step.forth * sum,
-                    };
-                    sum = carried + Vector6::from_column_slice(&x[at]);
-                }
-                let mean = sum / self.blades as f64;
-                x[layout.motion(node, k)].copy_from_slice(mean.as_slice());
-            }
-        }
         for (placed, step) in elements.iter().zip(&self.own) {
             let count = placed.element.own_unknowns();
             let (Some(step), true) = (step, count > 0) else {
@@ -207,20 +169,7 @@ impl AlikeMotions {
         elements: &[Placed],
         x: &mut [f64],
     ) {
-        let part = layout.points() / self.blades;
-        for (node, step) in self.nodes.iter().enumerate() {
-            let Some(step) = step else {
-                continue;
-            };
-            for k in part..layout.points() {
-                let before = Vector6::from_column_slice(&x[layout.motion(node, k - part)]);
-                let here = match self.still[node] {
-                    true => before,
-                    false => step.back * before,
-                };
-                x[layout.motion(node, k)].copy_from_slice(here.as_slice());
-            }
-        }
+        self.repeat_nodes(layout, x, |step, before| step.back * before);
         self.repeat_own(layout, elements, x, |[_, back], i, j| back[(i, j)]);
     }
 
@@ -269,18 +218,58 @@ impl AlikeMotions {
 
     /// Lets the forces on hub and supports be alike in all parts of the period, from the first.
     pub(super) fn repeat(&self, layout: Layout, forces: &mut [f64]) {
+        self.repeat_nodes(layout, forces, |step, before| step.forth.tr_mul(before));
+    }
+
+    /// Writes means of what belongs to nodes of hub and supports to the first part of the period,
+    /// where this carries what is one part later.
+    fn average_nodes(
+        &self,
+        layout: Layout,
+        x: &mut [f64],
+        carry: impl Fn(&Step, &Vector6<f64>) -> Vector6<f64>,
+    ) {
+        let part = layout.points() / self.blades;
+        for (node, step) in self.nodes.iter().enumerate() {
+            let Some(step) = step else {
+                continue;
+            };
+            for k in 0..part {
+                let mut sum = Vector6::zeros();
+                for q in (0..self.blades).rev() {
+                    let at = layout.motion(node, k + q * part);
+                    let carried = match self.still[node] {
+                        true => sum,
+                        false => carry(step, &sum),
+                    };
+                    sum = carried + Vector6::from_column_slice(&x[at]);
+                }
+                let mean = sum / self.blades as f64;
+                x[layout.motion(node, k)].copy_from_slice(mean.as_slice());
+            }
+        }
+    }
+
+    /// Writes what belongs to nodes of hub and supports, part by part of the period from the first,
+    /// where this carries it from one to the next.
+    fn repeat_nodes(
+        &self,
+        layout: Layout,
+        x: &mut [f64],
+        carry: impl Fn(&Step, &Vector6<f64>) -> Vector6<f64>,
+    ) {
         let part = layout.points() / self.blades;
         for (node, step) in self.nodes.iter().enumerate() {
             let Some(step) = step else {
                 continue;
             };
             for k in part..layout.points() {
-                let before = Vector6::from_column_slice(&forces[layout.motion(node, k - part)]);
+                let before = Vector6::from_column_slice(&x[layout.motion(node, k - part)]);
                 let here = match self.still[node] {
                     true => before,
-                    false => step.forth.tr_mul(&before),
+                    false => carry(step, &before),
                 };
-                forces[layout.motion(node, k)].copy_from_slice(here.as_slice());
+                x[layout.motion(node, k)].copy_from_slice(here.as_slice());
             }
         }
     }

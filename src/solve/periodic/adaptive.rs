@@ -387,9 +387,7 @@ impl Periodic<'_> {
         if let Some(rest) = self.near_rest(error)? {
             let most = self.on.means.newton.iteration_limit;
             self.on.means.newton.iteration_limit = most.min(NEAR_REST);
-            self.on.newton.patience = Some(PATIENCE);
-            let found = self.on.solve(rest);
-            self.on.newton.patience = None;
+            let found = self.solve_with_patience(rest);
             self.on.means.newton.iteration_limit = most;
             let found = found?;
             if found.1.outcome.is_final() {
@@ -409,15 +407,20 @@ impl Periodic<'_> {
         if error <= UNRESOLVED {
             return self.on.solve(start);
         }
-        self.on.newton.patience = Some(PATIENCE);
-        let found = self.on.solve(start);
-        self.on.newton.patience = None;
-        let found = found?;
+        let found = self.solve_with_patience(start)?;
         if found.1.outcome.is_final() || !affords_more(&self.on) {
             return Ok(found);
         }
         self.on.begin_again()?;
         self.starts.solve_at_once(&mut self.on)
+    }
+
+    /// From a start that may be far: given up after a few short steps.
+    fn solve_with_patience(&mut self, start: GridState) -> Result<Found> {
+        self.on.newton.patience = Some(PATIENCE);
+        let found = self.on.solve(start);
+        self.on.newton.patience = None;
+        found
     }
 
     /// A solution on the first grid; where it is too coarse for that, on that of the initial guess.
