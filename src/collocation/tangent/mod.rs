@@ -244,11 +244,10 @@ impl Tangent {
             let mut stresses = [Matrix6::zeros(); 2];
             let mut add = |place: usize, stiffness: &Matrix6<f64>, damping: &Matrix6<f64>| {
                 let column = self.strain(place, k);
-                let strain = column.strain.to_twist_matrix();
-                stresses[0] += stiffness * strain;
+                column.strain.add_product_to(stiffness, &mut stresses[0]);
                 if station.damped {
-                    stresses[0] += damping * column.rate.to_twist_matrix();
-                    stresses[1] += damping * strain;
+                    column.rate.add_product_to(damping, &mut stresses[0]);
+                    column.strain.add_product_to(damping, &mut stresses[1]);
                 }
             };
             let StressLaw {
@@ -261,9 +260,13 @@ impl Tangent {
                 let place = station.first_of(other.offset) + column - station.first;
                 add(place, &other.stiffness, &other.damping);
             }
-            let strain = self.strain(row, k).strain.to_twist_matrix();
-            for (sum, stress) in sums.iter_mut().zip(&stresses) {
-                *sum += strain.tr_mul(stress);
+            let row = self.strain(row, k);
+            let count = if station.damped { 2 } else { 1 };
+            for (sum, stress) in sums.iter_mut().zip(&stresses).take(count) {
+                let mut product = Matrix6::zeros();
+                let stress = motion::transpose(stress);
+                row.strain.add_product_to(&stress, &mut product);
+                *sum += motion::transpose(&product);
             }
         }
         sums

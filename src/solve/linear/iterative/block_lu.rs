@@ -31,14 +31,14 @@ pub(super) struct BlockStructure {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct BlockPlace {
     first: usize,
-    /// Of the whole block.
-    columns: usize,
+    /// From one row to the next, and from one column to the next.
+    steps: (usize, usize),
 }
 
 impl BlockPlace {
     /// Place of entry `(i, j)`.
     pub fn entry(&self, i: usize, j: usize) -> usize {
-        self.first + i * self.columns + j
+        self.first + i * self.steps.0 + j * self.steps.1
     }
 }
 
@@ -198,7 +198,17 @@ impl BlockStructure {
     ) -> BlockPlace {
         BlockPlace {
             first: self.entry((row, column), (first_row, first_column)),
-            columns: self.sizes[column],
+            steps: (self.sizes[column], 1),
+        }
+    }
+
+    /// The same of the block that stands in its place in the transpose, seen as it is in the matrix
+    /// itself.
+    pub fn transposed_block_at(&self, row: (usize, usize), column: (usize, usize)) -> BlockPlace {
+        let BlockPlace { first, steps } = self.block_at(column, row);
+        BlockPlace {
+            first,
+            steps: (steps.1, steps.0),
         }
     }
 
@@ -210,7 +220,8 @@ impl BlockStructure {
     ) -> Option<BlockPlace> {
         let columns = self.sizes[column];
         let first = self.blocks.get(&(row, column))? + first_row * columns + first_column;
-        Some(BlockPlace { first, columns })
+        let steps = (columns, 1);
+        Some(BlockPlace { first, steps })
     }
 
     /// Place of entry `(i, j)` of the block `(row, column)`, which must be there.
@@ -284,6 +295,15 @@ impl<T: Lanes> BlockLanes<T> {
     pub fn bytes(&self) -> usize {
         let fronts = self.fronts.iter().map(Factors::bytes);
         size_of_val(&self.values[..]) + fronts.sum::<usize>()
+    }
+
+    /// Makes all that are not used like the last that is.
+    pub fn repeat_last(&mut self) {
+        for lane in self.used..LANES {
+            for value in &mut self.values {
+                value.set(lane, value.get(self.used - 1));
+            }
+        }
     }
 
     /// The entry at a place.

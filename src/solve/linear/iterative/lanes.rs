@@ -90,6 +90,14 @@ impl ComplexLanes {
     }
 }
 
+impl RealLanes {
+    /// Adds to one of the numbers.
+    #[inline(always)]
+    pub fn add_to(&mut self, lane: usize, value: f64) {
+        self.0[lane] += value;
+    }
+}
+
 impl Lanes for RealLanes {
     type Number = f64;
 

@@ -21,7 +21,7 @@ enum Member {
 }
 
 /// A block row, and the first unknown of what stands there.
-type Position = (usize, usize);
+pub(super) type Position = (usize, usize);
 
 /// Block rows of one harmonic, or of one grid point.
 pub(super) struct Layout {

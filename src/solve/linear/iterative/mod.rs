@@ -124,6 +124,8 @@ pub(crate) struct Iterative {
     pub left_out: f64,
     /// Growth from which on the Jacobian may be singular.
     pub suspect: f64,
+    /// Growth of the present Jacobian, once it was asked for.
+    growth: Option<f64>,
     /// What is in use, and what is left to be tried, each with the products that a solve may take.
     candidates: Vec<(Preconditioner, usize)>,
     factors: Option<Factors>,
@@ -162,6 +164,7 @@ impl Iterative {
             fails_locally: false,
             left_out: LEFT_OUT,
             suspect: SUSPECT.max(SUSPECT_SLENDER * slenderness),
+            growth: None,
             candidates: Vec::new(),
             factors: None,
             transposed: None,
@@ -206,6 +209,7 @@ impl Iterative {
         (self.first_products, self.learnt) = (None, None);
         self.is_scaled = false;
         self.eliminated = None;
+        self.growth = None;
         self.tangent.set_resultant_scale(1.0);
         while let Some(&(preconditioner, limit)) = self.candidates.first() {
             equations.workers().pulse()?;
@@ -281,9 +285,37 @@ impl Iterative {
             self.tangent.evaluate(equations, state)
         })?;
         self.is_old = true;
+        self.growth = None;
         (self.transposed, self.transposed_with) = (None, 0);
         self.eliminated = None;
         Ok(())
+    }
+
+    fn find_growth(&mut self, equations: &mut Collocation) -> f64 {
+        let Some(factors) = &mut self.factors else {
+            return f64::INFINITY;
+        };
+        let mut probe = probe(equations.size());
+        let mut product = vec![0.0; probe.len()];
+        equations.average(&mut probe);
+        self.tangent.apply(equations, &probe, &mut product);
+        equations.average(&mut product);
+        let product = largest(&product);
+        let mut response = probe.clone();
+        factors.apply(&mut response, equations.size());
+        let growth = largest(&response) * product;
+        if growth <= self.suspect {
+            return growth;
+        }
+        // The preconditioner may be nearly singular where the Jacobian is not.
+        let mut timings = Timings::default();
+        let solved = self.solve(equations, &mut probe, ROUGH, &mut timings);
+        // What this one is like says nothing of others.
+        (self.is_scaled, self.first_products) = (false, None);
+        match solved {
+            Ok(true) => largest(&probe) * product,
+            _ => f64::INFINITY,
+        }
     }
 }
 
@@ -363,30 +395,12 @@ impl LinearSolver for Iterative {
     }
 
     fn growth(&mut self, equations: &mut Collocation) -> f64 {
-        let Some(factors) = &mut self.factors else {
-            return f64::INFINITY;
-        };
-        let mut probe = probe(equations.size());
-        let mut product = vec![0.0; probe.len()];
-        equations.average(&mut probe);
-        self.tangent.apply(equations, &probe, &mut product);
-        equations.average(&mut product);
-        let product = largest(&product);
-        let mut response = probe.clone();
-        factors.apply(&mut response, equations.size());
-        let growth = largest(&response) * product;
-        if growth <= self.suspect {
+        if let Some(growth) = self.growth {
             return growth;
         }
-        // The preconditioner may be nearly singular where the Jacobian is not.
-        let mut timings = Timings::default();
-        let solved = self.solve(equations, &mut probe, ROUGH, &mut timings);
-        // What this one is like says nothing of others.
-        (self.is_scaled, self.first_products) = (false, None);
-        match solved {
-            Ok(true) => largest(&probe) * product,
-            _ => f64::INFINITY,
-        }
+        let growth = self.find_growth(equations);
+        self.growth = Some(growth);
+        growth
     }
 
     fn is_resisted(&mut self, _: &mut Collocation) -> bool {

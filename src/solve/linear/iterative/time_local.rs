@@ -1,12 +1,12 @@
 //! A preconditioner for slow mechanisms, and for heavily constrained ones: equilibrium at each grid
 //! point by itself, without inertia. See docs/theory.md, section 8.6.
 
-use super::block_lu::{BlockLanes, Scratch};
+use super::block_lu::{BlockLanes, BlockPlace, Scratch};
 use super::constraints::{Class, classify_at};
 use super::lanes::{LANES, Lanes, RealLanes};
-use super::layout::{Layout, Region};
+use super::layout::{Layout, Position, Region};
 use super::soft_motions::SoftMotions;
-use crate::collocation::{Collocation, Tangent};
+use crate::collocation::{Collocation, Coupling, Tangent};
 use crate::error::Result;
 use crate::workers::Workers;
 
@@ -33,20 +33,18 @@ impl TimeLocal {
             &vec![false; equations.system().nodes()],
         );
         let workers = equations.workers().clone();
+        let of_couplings = places_of_couplings(&layout, tangent, transposed);
         let mut factors: Vec<Option<BlockLanes<RealLanes>>> = vec![None; points.div_ceil(LANES)];
         workers.each(&mut factors, |chunk, place| {
-            let used = points - LANES * chunk;
-            let mut lanes = BlockLanes::<RealLanes>::new(&layout.structure, used);
-            for lane in 0..LANES {
-                let k = (LANES * chunk + lane).min(points - 1);
-                fill(
-                    (&mut lanes, lane, transposed),
-                    &layout,
-                    equations,
-                    tangent,
-                    k,
-                );
+            let first = LANES * chunk;
+            let mut lanes = BlockLanes::<RealLanes>::new(&layout.structure, points - first);
+            for (lane, k) in (first..points).take(LANES).enumerate() {
+                let target = (&mut lanes, lane);
+                add_couplings(target, &of_couplings, (equations, tangent), k);
+                let target = (&mut lanes, lane, transposed);
+                add_own(target, &layout, (equations, tangent), k);
             }
+            lanes.repeat_last();
             if lanes.factor(&layout.structure, &workers) {
                 *place = Some(lanes);
             }
@@ -123,60 +121,74 @@ impl TimeLocal {
     }
 }
 
-/// Writes the matrix of grid point `k`, or its transpose.
-fn fill(
-    (lanes, lane, transposed): (&mut BlockLanes<RealLanes>, usize, bool),
-    layout: &Layout,
-    equations: &Collocation,
-    tangent: &Tangent,
+/// Where a block stands, or its transpose.
+fn place_of(layout: &Layout, (row, column): (Position, Position), transposed: bool) -> BlockPlace {
+    match transposed {
+        false => layout.structure.block_at(row, column),
+        true => layout.structure.transposed_block_at(row, column),
+    }
+}
+
+/// Where the entries of each coupling stand, or of its transpose.
+fn places_of_couplings(layout: &Layout, tangent: &Tangent, transposed: bool) -> Vec<BlockPlace> {
+    let place = |coupling: &Coupling| {
+        let [row, column] = [coupling.row, coupling.column].map(|node| layout.node_at[node]);
+        place_of(layout, (row, column), transposed)
+    };
+    tangent.couplings().iter().map(place).collect()
+}
+
+/// Adds the stiffness between nodes at grid point `k` to the matrix in a lane.
+fn add_couplings(
+    (lanes, lane): (&mut BlockLanes<RealLanes>, usize),
+    places: &[BlockPlace],
+    (equations, tangent): (&Collocation, &Tangent),
     k: usize,
 ) {
-    let system = equations.system();
-    let mut add = |at: ((usize, usize), (usize, usize)), (i, j), value: f64| {
-        let ((row, first_row), (column, first_column)) = at;
-        let (i, j) = (first_row + i, first_column + j);
-        let entry = lanes.at(match transposed {
-            false => layout.structure.entry((row, column), (i, j)),
-            true => layout.structure.entry((column, row), (j, i)),
-        });
-        entry.set(lane, entry.get(lane) + value);
-    };
-    for (pair, coupling) in tangent.couplings().iter().enumerate() {
+    for (pair, (coupling, place)) in tangent.couplings().iter().zip(places).enumerate() {
         let [stiffness, _] = tangent.whole_pair(pair, k);
         let row_scale = &equations.row_scale()[equations.layout().node(coupling.row)];
         let column_scale = &equations.column_scale()[equations.layout().node(coupling.column)];
-        let at = (
-            layout.node_at[coupling.row],
-            layout.node_at[coupling.column],
-        );
-        for i in 0..6 {
-            for j in 0..6 {
-                add(
-                    at,
-                    (i, j),
-                    stiffness[(i, j)] * row_scale[i] * column_scale[j],
-                );
+        for (j, column_scale) in column_scale.iter().take(6).enumerate() {
+            for (i, row_scale) in row_scale.iter().take(6).enumerate() {
+                let value = stiffness[(i, j)] * row_scale * column_scale;
+                lanes.at(place.entry(i, j)).add_to(lane, value);
             }
         }
     }
+}
+
+/// Adds what belongs to the elements' own unknowns at grid point `k` to the matrix in a lane, or
+/// the transpose of that.
+fn add_own(
+    (lanes, lane, transposed): (&mut BlockLanes<RealLanes>, usize, bool),
+    layout: &Layout,
+    (equations, tangent): (&Collocation, &Tangent),
+    k: usize,
+) {
+    let system = equations.system();
+    let place = |row: Position, column: Position| place_of(layout, (row, column), transposed);
     for (index, class) in classify_at(equations, tangent, k).iter().enumerate() {
         let Class::Averaged(own) = class else {
             continue;
         };
         let placed = &system.elements()[index];
         let at = layout.own_at[index];
+        let count = own.gradient.nrows();
         for (local, &node) in placed.element.nodes().iter().enumerate() {
-            for row in 0..own.gradient.nrows() {
+            let node = layout.node_at[node];
+            let (gradients, effects) = (place(at, node), place(node, at));
+            for row in 0..count {
                 for component in 0..6 {
-                    let place = (row, 6 * local + component);
-                    let g = own.gradient[place];
-                    let effect = own.feedback.as_ref().map_or(g, |of| of.effect[place]);
-                    add((at, layout.node_at[node]), (row, component), g);
-                    add((layout.node_at[node], at), (component, row), effect);
+                    let of = (row, 6 * local + component);
+                    let g = own.gradient[of];
+                    let effect = own.feedback.as_ref().map_or(g, |own| own.effect[of]);
+                    lanes.at(gradients.entry(row, component)).add_to(lane, g);
+                    lanes.at(effects.entry(component, row)).add_to(lane, effect);
                 }
             }
         }
-        let count = own.gradient.nrows();
+        let among = place(at, at);
         if placed.has_states {
             let first = equations.layout().element_at(placed, 0).start;
             let (stiffness, _) = tangent.own(system, index, k);
@@ -184,15 +196,15 @@ fn fill(
                 for row in 0..count {
                     let scale = equations.row_scale()[first + row]
                         * equations.column_scale()[first + column];
-                    add(
-                        (at, at),
-                        (row, column),
-                        stiffness[column * count + row] * scale,
-                    );
+                    let value = stiffness[column * count + row] * scale;
+                    lanes.at(among.entry(row, column)).add_to(lane, value);
                 }
             }
         } else {
-            (0..count).for_each(|i| add((at, at), (i, i), -equations.regularisation()));
+            for i in 0..count {
+                let value = -equations.regularisation();
+                lanes.at(among.entry(i, i)).add_to(lane, value);
+            }
         }
     }
 }
