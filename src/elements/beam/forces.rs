@@ -4,8 +4,8 @@ use super::Beam;
 use super::law::CoupledLaw;
 use super::station::Station;
 use crate::elements::line_station::{
-    NodePlace, NodeTerms, SecondTerms, StationMotion, geometric_stiffness, rate_variations,
-    relative_to_first, second_variations,
+    NodePlace, NodeTerms, SecondTerms, SecondVariations, StationMotion, geometric_stiffness,
+    geometric_stiffness_of_two, rate_variations, relative_to_first, second_variations,
 };
 use crate::elements::{Contribution, Element, Instant, NodeState, StrainTangent, StressLaw};
 use crate::error::Result;
@@ -268,7 +268,8 @@ impl Beam {
             let held = held.map_or(stress, |resultants| resultants * station.weight);
             scratch.add_terms(&at);
             let (places, terms) = (&scratch.places, &mut scratch.terms);
-            add_geometric_stiffness(&at, &held, (places, terms), &mut scratch.second, out);
+            let of_nodes = (&scratch.relative[..], &places[..], &terms[..]);
+            add_geometric_stiffness(&at, &held, of_nodes, &mut scratch.second, out);
             if damping.rates_vary {
                 let twist = twists_of(states);
                 rate_variations(&at, &rate, twist, places, terms);
@@ -314,7 +315,8 @@ impl Beam {
             let held = held.map_or(stress, |resultants| resultants * station.weight);
             scratch.terms.extend(at.node_terms(places.iter().copied()));
             let terms = &mut scratch.terms[place * count..];
-            add_geometric_stiffness(at, &held, (places, terms), &mut scratch.second, out);
+            let of_nodes = (&scratch.relative[..], places, &*terms);
+            add_geometric_stiffness(at, &held, of_nodes, &mut scratch.second, out);
             if damping.rates_vary {
                 let rate = DualVector::from_twist(&scratch.rates[place]);
                 let twist = twists_of(states);
@@ -343,21 +345,25 @@ fn add_forces(
     }
 }
 
-/// Adds the geometric stiffness of integrated resultants.
+/// Adds the geometric stiffness of integrated resultants; nodes are at `relative` motions.
 fn add_geometric_stiffness(
     at: &StationMotion,
     stress: &Vector6<f64>,
-    (places, terms): (&[NodePlace], &[NodeTerms]),
+    (relative, places, terms): (&[DualMatrix], &[NodePlace], &[NodeTerms]),
     second: &mut Vec<SecondTerms>,
     out: &mut Contribution,
 ) {
+    let stress = DualVector::from_wrench(stress);
+    if let ([_, y], [_, place], [_, terms]) = (relative, places, terms) {
+        let second = SecondVariations::new(at, &stress).of(place, terms);
+        geometric_stiffness_of_two(y, terms, &second, |a, b, block| {
+            out.add_stiffness(a, b, block)
+        });
+        return;
+    }
     second.clear();
     let nodes = places.iter().zip(terms);
-    second.extend(second_variations(
-        at,
-        &DualVector::from_wrench(stress),
-        nodes,
-    ));
+    second.extend(second_variations(at, &stress, nodes));
     geometric_stiffness(terms, second, |a, b, block| out.add_stiffness(a, b, block));
 }
 

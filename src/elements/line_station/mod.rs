@@ -7,8 +7,8 @@
 mod variations;
 
 pub(super) use variations::{
-    SecondTerms, SecondVariations, geometric_stiffness, rate_variations, second_variations,
-    spread_variation, turned,
+    SecondTerms, SecondVariations, geometric_stiffness, geometric_stiffness_of_two,
+    rate_variations, second_variations, spread_variation, turned,
 };
 
 use crate::error::{Error, ErrorKind, Result};

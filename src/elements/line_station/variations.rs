@@ -107,13 +107,9 @@ pub fn geometric_stiffness(
     mut add: impl FnMut(usize, usize, &Matrix6<f64>),
 ) {
     let nodes = || terms.iter().zip(second).enumerate();
-    for (a, (row, by)) in nodes() {
-        let (turn, strain) = (row.turn.transpose(), row.strain.transpose());
-        for (b, (column, own)) in nodes().skip(a) {
-            let block = strain * own.mu
-                + turn * own.nu
-                + by.by_strain * column.strain
-                + by.by_turn * column.turn;
+    for (a, row) in nodes() {
+        for (b, column) in nodes().skip(a) {
+            let (block, by) = (geometric_block(row, column), row.1);
             if a == b {
                 add(a, a, &(block + by.own).to_stiffness_matrix());
             } else {
@@ -123,6 +119,36 @@ pub fn geometric_stiffness(
             }
         }
     }
+}
+
+/// One block, but for what the node's own increment does on the diagonal.
+fn geometric_block(
+    (row, by): (&NodeTerms, &SecondTerms),
+    (column, own): (&NodeTerms, &SecondTerms),
+) -> DualMatrix {
+    row.strain.transpose() * own.mu
+        + row.turn.transpose() * own.nu
+        + by.by_strain * column.strain
+        + by.by_turn * column.turn
+}
+
+/// The same of an element with two nodes, by the terms of the second, which is at `y` relative to
+/// the first. Resultants that are constant in the section's frame do not mind a motion of the
+/// whole, `Δu = yᵀ Δu_1` at the second node: the blocks of a row add up to zero for that.
+pub fn geometric_stiffness_of_two(
+    y: &DualMatrix,
+    terms: &NodeTerms,
+    second: &SecondTerms,
+    mut add: impl FnMut(usize, usize, &Matrix6<f64>),
+) {
+    let carry = y.transpose();
+    let last = geometric_block((terms, second), (terms, second)) + second.own;
+    let below = -(last * carry);
+    let beside = below.transpose();
+    add(1, 1, &last.to_stiffness_matrix());
+    add(1, 0, &below.to_stiffness_matrix());
+    add(0, 1, &beside.to_stiffness_matrix());
+    add(0, 0, &(-(beside * carry)).to_stiffness_matrix());
 }
 
 /// Variation of the strain rate `ė = Σ B_a V_a` at constant nodal velocities (docs/theory.md,
