@@ -2470,7 +2470,7 @@ typedef struct pdn_periodic_options {
      * Where the points of grids are: PDN_TIME_MAP_AUTOMATIC, PDN_TIME_MAP_EQUISPACED or
      * PDN_TIME_MAP_EVENTS. By PDN_TIME_MAP_AUTOMATIC, a given number of points is equispaced, and
      * a solve to a tolerance that starts from a solution goes on with the map of that. Default
-     * PDN_TIME_MAP_EQUISPACED.
+     * PDN_TIME_MAP_AUTOMATIC.
      */
     int32_t time_map;
     /**
@@ -2875,7 +2875,7 @@ typedef struct pdn_branch_options {
     size_t struct_size;
     /**
      * Grid, tolerance and linear solver, where the first solve starts, and who is told of the
-     * iterations; NULL for the defaults. Default NULL.
+     * iterations; NULL for the defaults. Grids are equispaced. Default NULL.
      */
     const struct pdn_periodic_options *periodic;
     /**

@@ -3575,7 +3575,7 @@ struct PeriodicOptions : pdn_periodic_options {
     /** Where the points of grids are: PDN_TIME_MAP_AUTOMATIC, PDN_TIME_MAP_EQUISPACED or
      * PDN_TIME_MAP_EVENTS. By PDN_TIME_MAP_AUTOMATIC, a given number of points is equispaced, and a
      * solve to a tolerance that starts from a solution goes on with the map of that. Default
-     * PDN_TIME_MAP_EQUISPACED. */
+     * PDN_TIME_MAP_AUTOMATIC. */
     TimeMap time_map = static_cast<TimeMap>(pdn_periodic_options::time_map);
     /** Times of the events, which repeat themselves every period: an array of length
      * [event_count]. */
@@ -3719,7 +3719,7 @@ struct BranchOptions : pdn_branch_options {
     {
     }
     /** Grid, tolerance and linear solver, where the first solve starts, and who is told of the
-     * iterations. */
+     * iterations. Grids are equispaced. */
     PeriodicOptions periodic;
     /** What else is free along the branch, and as many conditions. */
     const Conditions *conditions = nullptr;

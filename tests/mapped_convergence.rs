@@ -74,8 +74,6 @@ fn sharp_motions_converge_faster_on_mapped_grids() {
 
 fn by_itself(model: &Model, period: f64, error_tolerance: f64) -> Solution {
     let options = PeriodicOptions {
-        time_map: TimeMapping::Automatic,
-        work_limit: 0.0,
         threads: 2,
         grid_points: GridPoints::Adaptive(Adaptation {
             error_tolerance,
@@ -127,7 +125,6 @@ fn grids_of_smooth_motions_are_left_as_they_are() {
 fn where_a_map_leads_nowhere_the_solve_goes_on_without_it() {
     let machine = machines::machine(11, 1, 0);
     let options = PeriodicOptions {
-        time_map: TimeMapping::Automatic,
         grid_points: GridPoints::Adaptive(Adaptation {
             error_tolerance: 1e-5,
             response_tolerance: 1e-3,

@@ -1374,7 +1374,7 @@ class PeriodicOptions(Struct):
     time_map = Number("time_map")
     """Where the points of grids are: TIME_MAP_AUTOMATIC, TIME_MAP_EQUISPACED or TIME_MAP_EVENTS.
     By TIME_MAP_AUTOMATIC, a given number of points is equispaced, and a solve to a tolerance
-    that starts from a solution goes on with the map of that. Default TIME_MAP_EQUISPACED.
+    that starts from a solution goes on with the map of that. Default TIME_MAP_AUTOMATIC.
     """
     event_count = Number("event_count")
     """Number of the events of TIME_MAP_EVENTS, at most 16. Default 0."""
@@ -1573,7 +1573,7 @@ class BranchOptions(Struct):
     _initialise = lib.pdn_branch_options_init
     periodic = Reference("periodic", of_type("PeriodicOptions"))
     """Grid, tolerance and linear solver, where the first solve starts, and who is told of the
-    iterations; None for the defaults. Default None.
+    iterations; None for the defaults. Grids are equispaced. Default None.
     """
     conditions = Reference("conditions", pointer)
     """What else is free along the branch, and as many conditions; None for nothing. Default None.
@@ -1959,7 +1959,8 @@ class Branch(BranchExtras):
             amplitude: length, of which 1 is a motion of `options.motion_scale`, of either sign;
                 not zero
             periodic: Grid, tolerance and linear solver, where the first solve starts, and who
-                is told of the iterations; None for the defaults. Default None.
+                is told of the iterations; None for the defaults. Grids are equispaced. Default
+                None.
             conditions: What else is free along the branch, and as many conditions; None for
                 nothing. Default None.
             from_: Least value of the parameter, where the branch ends.
@@ -2034,7 +2035,8 @@ class Branch(BranchExtras):
             point: number of the point, from 0
             parameter: id of the second parameter, or FREQUENCY
             periodic: Grid, tolerance and linear solver, where the first solve starts, and who
-                is told of the iterations; None for the defaults. Default None.
+                is told of the iterations; None for the defaults. Grids are equispaced. Default
+                None.
             conditions: What else is free along the branch, and as many conditions; None for
                 nothing. Default None.
             from_: Least value of the parameter, where the branch ends.
@@ -2102,7 +2104,8 @@ class Branch(BranchExtras):
 
         Args:
             periodic: Grid, tolerance and linear solver, where the first solve starts, and who
-                is told of the iterations; None for the defaults. Default None.
+                is told of the iterations; None for the defaults. Grids are equispaced. Default
+                None.
             conditions: What else is free along the branch, and as many conditions; None for
                 nothing. Default None.
             from_: Least value of the parameter, where the branch ends.
@@ -4865,7 +4868,7 @@ class Model(ModelExtras):
             time_map: Where the points of grids are: TIME_MAP_AUTOMATIC, TIME_MAP_EQUISPACED or
                 TIME_MAP_EVENTS. By TIME_MAP_AUTOMATIC, a given number of points is equispaced,
                 and a solve to a tolerance that starts from a solution goes on with the map of
-                that. Default TIME_MAP_EQUISPACED.
+                that. Default TIME_MAP_AUTOMATIC.
             event_count: Number of the events of TIME_MAP_EVENTS, at most 16. Default 0.
             event_times: Times of the events, which repeat themselves every period: an array of
                 length [event_count]. Default None.
@@ -5552,7 +5555,7 @@ class Model(ModelExtras):
             time_map: Where the points of grids are: TIME_MAP_AUTOMATIC, TIME_MAP_EQUISPACED or
                 TIME_MAP_EVENTS. By TIME_MAP_AUTOMATIC, a given number of points is equispaced,
                 and a solve to a tolerance that starts from a solution goes on with the map of
-                that. Default TIME_MAP_EQUISPACED.
+                that. Default TIME_MAP_AUTOMATIC.
             event_count: Number of the events of TIME_MAP_EVENTS, at most 16. Default 0.
             event_times: Times of the events, which repeat themselves every period: an array of
                 length [event_count]. Default None.
@@ -5632,7 +5635,8 @@ class Model(ModelExtras):
             period: T of the first response, or a guess of it where the frequency is free
             parameter: id of the parameter to be followed, or FREQUENCY
             periodic: Grid, tolerance and linear solver, where the first solve starts, and who
-                is told of the iterations; None for the defaults. Default None.
+                is told of the iterations; None for the defaults. Grids are equispaced. Default
+                None.
             conditions: What else is free along the branch, and as many conditions; None for
                 nothing. Default None.
             from_: Least value of the parameter, where the branch ends.
@@ -5704,7 +5708,8 @@ class Model(ModelExtras):
             first: circular frequency 2 pi / T at which it begins
             last: circular frequency at which it ends, more or less than `first`
             periodic: Grid, tolerance and linear solver, where the first solve starts, and who
-                is told of the iterations; None for the defaults. Default None.
+                is told of the iterations; None for the defaults. Grids are equispaced. Default
+                None.
             conditions: What else is free along the branch, and as many conditions; None for
                 nothing. Default None.
             from_: Least value of the parameter, where the branch ends.

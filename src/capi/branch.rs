@@ -8,7 +8,9 @@ use super::id::Kind;
 use super::last_error::copy_message;
 use super::model::{number, pdn_model};
 use super::options::Options;
-use super::periodic::{pdn_periodic_options, read_options};
+use super::periodic::{
+    PDN_TIME_MAP_AUTOMATIC, PDN_TIME_MAP_EQUISPACED, pdn_periodic_options, read_options,
+};
 use super::quantity::{pdn_quantity, selections};
 use super::solution::pdn_solution;
 use super::stability::{
@@ -171,7 +173,7 @@ pub struct pdn_branch_options {
     /// Set by the initialiser.
     pub struct_size: usize,
     /// Grid, tolerance and linear solver, where the first solve starts, and who is told of the
-    /// iterations; NULL for the defaults. Default NULL.
+    /// iterations; NULL for the defaults. Grids are equispaced. Default NULL.
     pub periodic: *const pdn_periodic_options,
     /// What else is free along the branch, and as many conditions; NULL for nothing. Default NULL.
     pub conditions: *const pdn_conditions,
@@ -256,7 +258,11 @@ fn core_options(
     ] {
         call.number(value, name)?;
     }
-    let periodic = call.options(given.periodic, "options.periodic")?;
+    let mut periodic = call.options(given.periodic, "options.periodic")?;
+    // Branches are followed on equispaced grids, wherever the points of a start are.
+    if periodic.time_map == PDN_TIME_MAP_AUTOMATIC {
+        periodic.time_map = PDN_TIME_MAP_EQUISPACED;
+    }
     let (free, conditions) = if given.conditions.is_null() {
         (Vec::new(), Vec::new())
     } else {

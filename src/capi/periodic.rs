@@ -189,7 +189,7 @@ pub struct pdn_periodic_options {
     /// Where the points of grids are: PDN_TIME_MAP_AUTOMATIC, PDN_TIME_MAP_EQUISPACED or
     /// PDN_TIME_MAP_EVENTS. By PDN_TIME_MAP_AUTOMATIC, a given number of points is equispaced, and
     /// a solve to a tolerance that starts from a solution goes on with the map of that. Default
-    /// PDN_TIME_MAP_EQUISPACED.
+    /// PDN_TIME_MAP_AUTOMATIC.
     pub time_map: i32,
     /// Zero.
     pub reserved: i32,
@@ -226,7 +226,7 @@ unsafe impl Options for pdn_periodic_options {
             work_limit: core.work_limit,
             linear_solver: PDN_LINEAR_AUTOMATIC,
             start: PDN_START_AUTOMATIC,
-            time_map: PDN_TIME_MAP_EQUISPACED,
+            time_map: PDN_TIME_MAP_AUTOMATIC,
             ..Self::blank()
         }
     }

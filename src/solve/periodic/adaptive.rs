@@ -52,7 +52,7 @@ const AIM: f64 = 0.2;
 /// And at this one of what harmonics of loads cause, which are known.
 const AIM_OF_LOADS: f64 = 0.3;
 /// Harmonics of a quasi-static motion that may be what its Newton iterations leave.
-const LEFT_BY_GUESS: f64 = 1e-5;
+pub(super) const LEFT_BY_GUESS: f64 = 1e-5;
 /// Inertial displacement, in scaled unknowns, of a quasi-static motion whose harmonics are those of
 /// the response: the slow motion of a mechanism.
 const SLOW: f64 = 0.001;

@@ -2,9 +2,9 @@
 //! See docs/theory.md, section 10.7.
 
 use super::Periodic;
-use super::adaptive::{Adaptation, UNRESOLVED, quick};
-use super::sharp::{MOST_MAPS, Sharper, gain, of_rest, of_solution, sharper_still};
-use crate::collocation::GridState;
+use super::adaptive::{Adaptation, LEFT_BY_GUESS, UNRESOLVED, quick};
+use super::sharp::{HARM, MOST_MAPS, Sharper, gain, of_rest, of_solution, sharper_still};
+use crate::collocation::{Decay, GridState};
 use crate::error::Result;
 use crate::fourier::TimeGrid;
 use crate::solve::newton::on_grid::Found;
@@ -24,13 +24,18 @@ const FINER: usize = 4;
 /// The first mapped grid has so many times the points that hold the quasi-static motion.
 const BEYOND_REST: f64 = 3.0;
 
+/// A quasi-static motion on fewer points tells little of how its harmonics end, which the highest
+/// of so many do.
+const LEAST_TELLING: usize = 25;
+const HIGHEST: usize = 4;
+
 /// Maps so far.
 pub(super) struct Maps {
     /// How often grids may yet be mapped where the motion is sharp.
     pub left: usize,
     /// The quasi-static motion that maps are to suit, if there is one, and whether it was looked
     /// for.
-    followed: Option<(TimeGrid, GridState)>,
+    followed: Option<Followed>,
     looked: bool,
     /// A map led nowhere: the next one starts from a solution that resolves the motion.
     waits: bool,
@@ -60,6 +65,13 @@ impl Maps {
     }
 }
 
+/// A quasi-static motion on a fine grid, and the map that suits it.
+struct Followed {
+    grid: TimeGrid,
+    state: GridState,
+    sharper: Option<Sharper>,
+}
+
 /// The solution with the least estimated error so far.
 struct Best {
     error: f64,
@@ -84,11 +96,18 @@ impl Periodic<'_> {
             return Ok(None);
         };
         let few = points < LEAST_MAPPED || wanted < MUCH_FINER * points as f64;
-        if self.maps.left == 0 || few || found.unheld.is_some() {
+        // Blades are alike at equispaced points only.
+        let alike = self.on.newton.alike.is_some();
+        if self.maps.left == 0 || few || alike || found.unheld.is_some() {
+            return Ok(None);
+        }
+        // What is resolved goes on at equispaced points while it may have as many as it asks for:
+        // linear equations are easier there.
+        let is_resolved = found.error <= UNRESOLVED;
+        if is_resolved && grid.map().is_identity() && wanted <= adaptation.largest as f64 {
             return Ok(None);
         }
         // What resolves nothing tells nothing.
-        let is_resolved = found.error <= UNRESOLVED;
         let found = match grid.map().is_identity() {
             true if self.maps.waits && !is_resolved => None,
             true => self.first_map(grid, state)?,
@@ -98,7 +117,6 @@ impl Periodic<'_> {
         let Some(Sharper { map, gain, holding }) = found else {
             return Ok(None);
         };
-        self.maps.left -= 1;
         let enough = match holding {
             Some(holding) if self.maps.waits => {
                 f64::max(BEYOND_REST * holding as f64, LEAST_PART * points as f64)
@@ -107,23 +125,27 @@ impl Periodic<'_> {
             None => (wanted / gain).max(LEAST_PART * points as f64),
         };
         let points = quick(enough.ceil() as usize).min(adaptation.largest_odd());
+        self.maps.left -= 1;
         Ok(Some(grid.with_points(points)?.mapped(map)))
     }
 
     /// A map that suits the quasi-static motion, which shows early how sharp the motion will be,
-    /// and does not harm the present solution; where there is no such motion, one that suits this.
+    /// and does little harm to the present solution; where there is no such motion, one that suits
+    /// this.
     fn first_map(&mut self, grid: TimeGrid, state: &GridState) -> Result<Option<Sharper>> {
+        if !self.maps.looked && self.is_smooth_at_rest() {
+            self.maps.left = 0;
+            return Ok(None);
+        }
         if !self.maps.looked {
-            let fine = grid.with_points(QUASI_STATIC.max(FINER * grid.points()) | 1)?;
-            let followed = self.starts.followed(&mut self.on, fine)?;
-            self.maps.followed = followed.map(|followed| (fine, followed));
             self.maps.looked = true;
+            self.maps.followed = self.follow(grid)?;
         }
         let (began, system) = (Instant::now(), &self.on.system);
         let found = match &self.maps.followed {
-            Some((fine, followed)) => {
-                let found = of_rest(system, *fine, followed);
-                found.filter(|found| gain(system, grid, state, &found.map) >= 1.0)
+            Some(Followed { sharper, .. }) => {
+                let sharper = sharper.clone();
+                sharper.filter(|found| HARM * gain(system, grid, state, &found.map) >= 1.0)
             }
             None => of_solution(system, grid, state),
         };
@@ -131,11 +153,40 @@ impl Periodic<'_> {
         Ok(found)
     }
 
+    /// The quasi-static motion on a grid that is finer than this one, and the map that suits it.
+    fn follow(&mut self, grid: TimeGrid) -> Result<Option<Followed>> {
+        let fine = grid.with_points(QUASI_STATIC.max(FINER * grid.points()) | 1)?;
+        let Some(state) = self.starts.followed(&mut self.on, fine)? else {
+            return Ok(None);
+        };
+        let began = Instant::now();
+        let sharper = of_rest(&self.on.system, fine, &state);
+        self.on.newton.timings.estimates += began.elapsed();
+        Ok(Some(Followed {
+            grid: fine,
+            state,
+            sharper,
+        }))
+    }
+
+    /// Whether the harmonics of the quasi-static motion on the grid where it was found first end in
+    /// what its Newton iterations may leave: a finer one shows no more then.
+    fn is_smooth_at_rest(&self) -> bool {
+        let Some((grid, state)) = self.starts.first_found() else {
+            return false;
+        };
+        let amplitudes = Decay::of(&self.on.system, grid, state).amplitudes;
+        let upper = amplitudes.iter().rev().take(amplitudes.len() / HIGHEST);
+        grid.points() >= LEAST_TELLING
+            && upper.fold(0.0, |most: f64, a| most.max(*a)) <= LEFT_BY_GUESS
+    }
+
     /// A map that suits the present solution more than that of its grid.
     fn next_map(&mut self, grid: TimeGrid, state: &GridState) -> Option<Sharper> {
         let (began, system) = (Instant::now(), &self.on.system);
-        let (fine, followed) = self.maps.followed.as_ref()?;
-        let found = sharper_still(system, (grid, state), (*fine, followed));
+        let followed = self.maps.followed.as_ref()?;
+        let exact = (followed.grid, &followed.state);
+        let found = sharper_still(system, (grid, state), exact);
         self.on.newton.timings.estimates += began.elapsed();
         found
     }
@@ -145,10 +196,10 @@ impl Periodic<'_> {
     pub(super) fn near_rest(&mut self, error: f64) -> Result<Option<GridState>> {
         let is_first = self.maps.left + 1 == MOST_MAPS && !self.on.grid.map().is_identity();
         let followed = self.maps.followed.as_ref();
-        let Some((from, followed)) = followed.filter(|_| is_first && error > UNRESOLVED) else {
+        let Some(followed) = followed.filter(|_| is_first && error > UNRESOLVED) else {
             return Ok(None);
         };
-        let start = self.on.carried(followed, *from)?;
+        let start = self.on.carried(&followed.state, followed.grid)?;
         self.on.newton.equations.set_resultants(Vec::new());
         Ok(start)
     }

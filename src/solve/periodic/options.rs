@@ -22,9 +22,9 @@ pub enum GridPoints {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub enum TimeMapping {
     /// Equispaced, but closer together where an adaptive solve finds the motion sharp.
+    #[default]
     Automatic,
     /// Equispaced.
-    #[default]
     Equispaced,
     /// Closer together about these events, of all grids.
     Events(Vec<SharpEvent>),

@@ -26,8 +26,8 @@ const GAIN: f64 = 2.0;
 const GAIN_BLINDLY: f64 = 3.0;
 /// The same of another map than the present one.
 const GAIN_MORE: f64 = 1.25;
-/// Which is to let those of what was looked at before end this much later at most.
-const HARM: f64 = 1.3;
+/// A map is to let harmonics that it was not chosen for end this much later at most.
+pub(super) const HARM: f64 = 1.3;
 /// An event is worth its points that lets them end this much earlier.
 const WORTH: f64 = 1.1;
 /// Most events that are looked for.
@@ -45,6 +45,7 @@ const LARGEST_SHARE: f64 = 12.0;
 const LEAST_SHARE: f64 = 0.05;
 
 /// A map, and how many times earlier harmonics end.
+#[derive(Clone)]
 pub(super) struct Sharper {
     pub map: TimeMap,
     pub gain: f64,

@@ -145,6 +145,13 @@ impl Starts {
         Ok((guess.outcome == Outcome::Converged).then_some(&guess.state))
     }
 
+    /// The same, if it has been looked for before.
+    pub fn first_found(&self) -> Option<(TimeGrid, &GridState)> {
+        let first = self.first();
+        let (_, guess) = self.found.iter().find(|(of, _)| *of == first)?;
+        (guess.outcome == Outcome::Converged).then_some((self.grid, &guess.state))
+    }
+
     /// A quasi-static motion at the points of the present grid, if there is one.
     pub fn quasi_static_here(
         &mut self,
