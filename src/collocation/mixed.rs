@@ -27,6 +27,27 @@ impl ResultantPath {
     }
 }
 
+/// Stress resultants as unknowns of their own in steps with the same matrix.
+#[derive(Debug)]
+pub struct CarriedResultants {
+    /// The nodes where the equations were linearised.
+    nodes: Vec<NodeState>,
+    /// The increments since then, not scaled, and what follows from them linearly there.
+    increment: Vec<f64>,
+    linear: Vec<Vector6<f64>>,
+    /// The unknowns.
+    resultants: Vec<Vector6<f64>>,
+    /// Those of the strains.
+    strained: Vec<Vector6<f64>>,
+}
+
+impl CarriedResultants {
+    /// The unknowns.
+    pub fn resultants(&self) -> &[Vector6<f64>] {
+        &self.resultants
+    }
+}
+
 impl Collocation {
     /// Whether stress resultants of beams may be unknowns of their own.
     pub fn has_stations(&self) -> bool {
@@ -75,15 +96,26 @@ impl Collocation {
             Some(path) => path,
             None => path.insert(self.resultants_along(start, increment)?),
         };
-        let (points, count) = (self.grid().points(), 6 * self.system().nodes());
         self.update_kinematics(trial);
+        self.part(&path.at(part), &path.nodes, residual)
+    }
+
+    /// The same at the present nodes, with these resultants, where those `at_start` are those of
+    /// the matrix.
+    fn part(
+        &mut self,
+        resultants: &[Vector6<f64>],
+        at_start: &[NodeState],
+        residual: &mut [f64],
+    ) -> Result<()> {
+        let (points, count) = (self.grid().points(), 6 * self.system().nodes());
         let mut rows = vec![0.0; points * count];
         // Taken out while they are read.
         let nodes = std::mem::take(&mut self.instants.states);
         let leaders = self.leaders().cloned();
         let leaders = leaders.as_deref();
-        let states = [&nodes[..], &path.nodes];
-        let moved = self.move_excess(&path.at(part), states, (&mut rows, count), leaders);
+        let states = [&nodes[..], at_start];
+        let moved = self.move_excess(resultants, states, (&mut rows, count), leaders);
         self.instants.states = nodes;
         moved?;
         if let Some(leaders) = leaders {
@@ -97,6 +129,78 @@ impl Collocation {
                 rows.for_each(|((row, scale), f)| *row += scale * f);
             }
         }
+        Ok(())
+    }
+
+    /// Stress resultants as unknowns of their own after a full step from `start`, where the
+    /// equations were linearised, by an increment that is not scaled; `path` is that along it, if
+    /// it was looked at.
+    ///
+    /// # Errors
+    /// If an element is too distorted.
+    pub fn carry_resultants(
+        &mut self,
+        path: Option<ResultantPath>,
+        (start, increment): (&GridState, Vec<f64>),
+    ) -> Result<CarriedResultants> {
+        let (nodes, linear) = match path {
+            Some(path) => (path.nodes, path.end),
+            None => {
+                self.update_kinematics(start);
+                let linear = self.extrapolated_resultants(&increment)?;
+                (self.node_states().to_vec(), linear)
+            }
+        };
+        Ok(CarriedResultants {
+            nodes,
+            increment,
+            resultants: linear.clone(),
+            linear,
+            strained: Vec::new(),
+        })
+    }
+
+    /// Makes of the scaled residual at `state` the one with these resultants as unknowns of their
+    /// own, as [`Collocation::part_resultants`] does.
+    ///
+    /// # Errors
+    /// If an element is too distorted.
+    pub fn part_carried(
+        &mut self,
+        carried: &mut CarriedResultants,
+        state: &GridState,
+        residual: &mut [f64],
+    ) -> Result<()> {
+        self.update_kinematics(state);
+        carried.strained = self.resultants_of_strains()?;
+        self.part(&carried.resultants, &carried.nodes, residual)
+    }
+
+    /// Takes them along a further increment from there, not scaled:
+    /// `σ ← K e + K B₀ Δu`.
+    ///
+    /// # Errors
+    /// If an element is too distorted.
+    pub fn step_carried(&mut self, carried: &mut CarriedResultants, more: &[f64]) -> Result<()> {
+        let sum = carried.increment.iter_mut().zip(more);
+        sum.for_each(|(sum, x)| *sum += x);
+        let now = std::mem::replace(
+            &mut self.instants.states,
+            std::mem::take(&mut carried.nodes),
+        );
+        let linear = self.extrapolated_resultants(&carried.increment);
+        carried.nodes = std::mem::replace(&mut self.instants.states, now);
+        let linear = linear?;
+        let of_strains = carried.strained.iter();
+        let changes = linear
+            .iter()
+            .zip(&carried.linear)
+            .map(|(x, before)| x - before);
+        carried.resultants = of_strains
+            .zip(changes)
+            .map(|(e, change)| e + change)
+            .collect();
+        carried.linear = linear;
         Ok(())
     }
 }

@@ -27,7 +27,7 @@ pub use between::{Defect, ResidualBetween};
 pub use decay::{Decay, DecayKind};
 pub(crate) use like_blades::scaled_adjoint;
 pub use like_blades::{AlikeMotions, Leaders, LikeBlades, OneBlade, require_like_blades};
-pub use mixed::ResultantPath;
+pub use mixed::{CarriedResultants, ResultantPath};
 pub use motion_tangent::MotionTangent;
 pub use partition::{Halo, Item, Partition, RankPart};
 pub use pattern::{Panel, Pattern};

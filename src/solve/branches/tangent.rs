@@ -7,11 +7,12 @@ use crate::error::Result;
 /// Accuracy of tangents, and of those by factors of a state nearby, of which nothing is better
 /// than was asked for.
 const TANGENT: [f64; 2] = [1e-9, 1e-12];
-/// Accuracy of what is to be added to a tangent that is guessed, of the tangent then, and how often
-/// that is done at most.
-const ADDED: f64 = 1e-7;
+/// Accuracy of a tangent that is guessed, once enough is added to it, and how often that is done at
+/// most.
 const ENOUGH: f64 = 1e-8;
 const MOST_ADDED: usize = 3;
+/// Accuracy of what is added: enough of as much as was added to the last tangent, within bounds.
+const ADDED: [f64; 2] = [1e-8, 1e-2];
 
 impl Walk<'_> {
     /// The first tangent, at a solution where the parameter was given; none if the branch does not
@@ -71,6 +72,7 @@ impl Walk<'_> {
         let mut rows: Vec<f64> = scaled.collect();
         let mut rest = vec![0.0; rows.len()];
         let size = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let mut expected = self.added;
         for _ in 0..MOST_ADDED {
             newton.linear.product(&newton.equations, &rows, &mut rest);
             rest.iter_mut().for_each(|x| *x = -*x);
@@ -78,13 +80,18 @@ impl Walk<'_> {
             if let Some(last) = rest.last_mut() {
                 *last = 0.0;
             }
-            if !newton.solve_linear(&mut rest, ADDED)? {
+            let accuracy = (ENOUGH / expected).clamp(ADDED[0], ADDED[1]);
+            if !newton.solve_linear(&mut rest, accuracy)? {
                 return Ok(None);
             }
             rows.iter_mut().zip(&rest).for_each(|(x, add)| *x += add);
             // Written so that NaN is not enough.
             let added = size(&rest) / size(&rows);
-            if ADDED * added <= ENOUGH {
+            if expected == self.added {
+                self.added = added;
+            }
+            expected = accuracy * added;
+            if expected <= ENOUGH {
                 return Ok(Some(rows));
             }
             if added.is_nan() {

@@ -1,7 +1,7 @@
 //! A point of a branch, and the next one (docs/theory.md, section 13.3).
 
 use super::BranchOptions;
-use super::course::Course;
+use super::course::{Course, Resultants};
 use super::determinants::Determinants;
 use super::step::Shown;
 use crate::collocation::{Collocation, Decay, GridState};
@@ -33,6 +33,8 @@ pub(super) struct Place {
     pub tangent: Vec<f64>,
     /// How the branch bends, if it is known.
     pub course: Option<Course>,
+    /// Stress resultants, if they are known.
+    pub resultants: Option<Resultants>,
 }
 
 impl Place {
@@ -42,6 +44,7 @@ impl Place {
             state,
             tangent,
             course: None,
+            resultants: None,
         }
     }
 }
@@ -74,6 +77,8 @@ pub(super) struct Walk<'a> {
     before: usize,
     /// Whether the equations were linearised last near the end of a solve.
     pub near: bool,
+    /// What was added to the last tangent that was guessed, relative to it.
+    pub added: f64,
     /// What the last multipliers have taken.
     pub experience: Option<Experience>,
 }
@@ -103,6 +108,7 @@ impl<'a> Walk<'a> {
             watching,
             before: 0,
             near: false,
+            added: 1.0,
             experience: None,
         })
     }
@@ -267,25 +273,31 @@ impl<'a> Walk<'a> {
         self.set_condition(Arc::new(arc), &from.state)?;
         let system = self.newton.equations.system().clone();
         let predicted = from.state.incremented(&system, &from.tangent, length);
-        let ahead = match passed == 0.0 {
-            true => length,
-            false => (length - passed) / self.inner(&near.tangent, &from.tangent),
-        };
-        let (increment, rate) = match &near.course {
-            None => (near.tangent.iter().map(|x| ahead * x).collect(), None),
+        let ahead = (length - passed) / self.inner(&near.tangent, &from.tangent);
+        let (increment, rate, resultants) = match &near.course {
+            None => {
+                let straight = near.tangent.iter().map(|x| ahead * x);
+                (straight.collect(), None, Vec::new())
+            }
             Some(course) => {
+                // As far as the step is to lead along the first tangent.
+                let along = |x: &[f64]| self.inner(x, &from.tangent);
+                let ahead = course.reaching(length - passed, &near.tangent, along);
                 let rate = course.rate(&near.tangent, ahead);
-                (course.increment(&near.tangent, ahead), Some(rate))
+                let increment = course.increment(&near.tangent, ahead);
+                (increment, Some(rate), course.resultants(ahead))
             }
         };
         let mut state = near.state.incremented(&system, &increment, 1.0);
-        if passed != 0.0 {
-            self.newton.equations.apply_scalars(&near.state)?;
-            self.newton.equations.update_kinematics(&near.state);
-        }
-        if ahead != 0.0 {
+        if ahead != 0.0 && resultants.is_empty() {
+            if passed != 0.0 {
+                self.newton.equations.apply_scalars(&near.state)?;
+                self.newton.equations.update_kinematics(&near.state);
+            }
             let straight: Vec<f64> = near.tangent.iter().map(|x| ahead * x).collect();
             self.predict_resultants(&straight);
+        } else if !resultants.is_empty() {
+            self.newton.equations.set_resultants(resultants);
         }
         let report = self.solve(&mut state, ITERATION_LIMIT)?;
         if report.outcome != Outcome::Converged {
@@ -302,8 +314,13 @@ impl<'a> Walk<'a> {
         let cosine = self.inner(&tangent, &from.tangent).clamp(-1.0, 1.0);
         let angle = cosine.acos();
         let mut to = Place::new(state, tangent);
+        to.resultants = found_or_none(self.resultants_at(&to))?;
         if length >= self.options.smallest_step {
-            to.course = Some(self.course(from, &to).0.damped());
+            let (mut course, arc) = self.course(from, &to);
+            if let (Some(before), Some(now)) = (&from.resultants, &to.resultants) {
+                course.carry(before, now, arc);
+            }
+            to.course = Some(course.damped());
         }
         Ok(Ok(Stepped {
             shown: Shown {
@@ -313,31 +330,6 @@ impl<'a> Walk<'a> {
             to,
             iterations: report.iterations.len(),
         }))
-    }
-
-    /// The cubic through two places, and how long it is between them.
-    fn course(&self, from: &Place, to: &Place) -> (Course, f64) {
-        // Of an arc, by its chord.
-        let away = self.away(&from.state, &to.state);
-        let cosine = self.inner(&from.tangent, &to.tangent).clamp(-1.0, 1.0);
-        let arc = self.length(&away) * (1.0 + cosine.acos().powi(2) / 24.0);
-        let layout = self.newton.equations.layout();
-        let ends = [from, to].map(|place| (&place.state, &place.tangent[..]));
-        (Course::through(ends[0], ends[1], layout, arc), arc)
-    }
-
-    /// Takes the geometric stiffness where a step from the present motions leads at the stress
-    /// resultants that follow from them along an increment. Those of the strains there are mostly
-    /// what beams and shells that turn stretch by terms of higher order.
-    fn predict_resultants(&mut self, increment: &[f64]) {
-        let equations = &mut self.newton.equations;
-        if !equations.has_stations() {
-            return;
-        }
-        // Where they cannot be found, as where elements are too distorted, those of strains serve.
-        if let Ok(resultants) = equations.extrapolated_resultants(increment) {
-            equations.set_resultants(resultants);
-        }
     }
 
     /// Goes on with another number of grid points; none where the motion cannot be interpolated, is
@@ -433,7 +425,7 @@ fn solver(
     equations.set_workers(workers.clone());
     equations.set_scalars(Arc::new(conditioned.clone()));
     // Blades that move alike are no premise here: a branch may leave them.
-    let linear = Linear::new(&equations, options.periodic.linear);
+    let linear = Linear::along_branch(&equations, options.periodic.linear);
     let mut newton = Newton::bordered(equations, linear);
     newton.chords = CHORDS;
     Ok(newton)

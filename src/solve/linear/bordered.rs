@@ -102,15 +102,14 @@ impl<L: LinearSolver> Bordered<L> {
 
     /// Whether products with all equations are to be had without further ado.
     pub fn multiplies(&mut self) -> bool {
-        self.inner.tangent().is_some()
+        self.is_near && self.with_borders && self.is_evaluated || self.inner.tangent().is_some()
     }
 
     /// Writes the product of all equations and `x`, where they are to be had.
     pub fn product(&mut self, equations: &Collocation, x: &[f64], y: &mut [f64]) {
         let size = equations.size();
-        if let Some(tangent) = self.inner.tangent() {
-            tangent.apply(equations, &x[..size], &mut y[..size]);
-        }
+        let tangent = self.inner.tangent().unwrap_or(&mut self.tangent);
+        tangent.apply(equations, &x[..size], &mut y[..size]);
         without_help(equations, &self.inner, &x[..size], &mut y[..size]);
         self.borders.product(x, y);
     }

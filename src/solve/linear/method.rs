@@ -131,6 +131,12 @@ impl Linear {
         Self::planned(equations, Plan::of(equations, method, f64::INFINITY))
     }
 
+    /// The same at one point of a branch after the other.
+    pub fn along_branch(equations: &Collocation, method: LinearMethod) -> Self {
+        let plan = Plan::of(equations, method, f64::INFINITY);
+        Self::planned(equations, plan.along_branch())
+    }
+
     /// For `equations`, as planned.
     pub fn planned(equations: &Collocation, plan: Plan) -> Self {
         let iterative = |preconditioner| Iterative::new(equations, preconditioner);

@@ -33,6 +33,9 @@ pub(super) const DELAYED: f64 = 1.2;
 /// Products of a linear solve on a mapped grid after which factors are tried instead, and more if
 /// these take longer: preconditioners that average over time are good there, or not at all.
 const LIMIT_IF_MAPPED: usize = 40;
+/// Products that a point of a branch takes by iteration, about: where factors take no longer, these
+/// solve all its equations.
+const OF_POINT: usize = 50;
 /// Multiply-adds of dense kernels that take as long as one of those that products are counted by.
 const DENSE: usize = 12;
 /// So few numbers are not worth the trouble.
@@ -122,6 +125,17 @@ impl Plan {
             most_products,
             cost,
             bytes,
+        }
+    }
+
+    /// The same where equations are solved at one point of a branch after the other.
+    pub fn along_branch(self) -> Self {
+        match self.choice {
+            Choice::IterativeFirst { .. } if self.most_products <= OF_POINT => Plan {
+                choice: Choice::Direct,
+                ..self
+            },
+            _ => self,
         }
     }
 }

@@ -3,13 +3,14 @@
 //! After a full step the simplified increment is the next one, up to a part of the order of the
 //! last increment: if what that leaves is small enough, there is no need to factor again.
 
-use super::run::Run;
+use super::run::{Run, Step};
 use super::verdict::Ending;
+use crate::collocation::{CarriedResultants, GridState};
 use crate::error::Result;
 use crate::solve::linear::dense::largest;
-use crate::solve::linear::solver::LinearSolver;
+use crate::solve::linear::solver::{COARSE, LinearSolver};
 use crate::solve::newton::ERROR_LEFT;
-use crate::solve::report::{Iteration, Outcome};
+use crate::solve::report::{Iteration, Outcome, timed};
 use std::ops::ControlFlow;
 
 /// The same matrix is used again while it is expected to end the iteration within so many steps.
@@ -47,6 +48,11 @@ struct Judge {
 }
 
 impl Judge {
+    /// Whether steps that contract by the size of the first increment would end.
+    fn hopes(&self) -> bool {
+        self.first.powi(self.steps + 2) <= self.tolerance
+    }
+
     /// Of a simplified increment after another, each with its size and the change of own unknowns,
     /// relative to them.
     fn next(&self, (before, changed): (f64, f64), (size, change): (f64, f64)) -> Next {
@@ -71,17 +77,25 @@ impl Judge {
 }
 
 impl<L: LinearSolver> Run<'_, L> {
-    /// Takes steps by the simplified increments that follow the full step by an increment of size
-    /// `first`, whose own simplified one is in `increment`. Together they count as an iteration.
-    pub fn chord_steps(&mut self, first: f64) -> Result<ControlFlow<Ending>> {
-        let accuracy = self.accuracy_of_simplified(first);
-        let judge = Judge {
+    /// Takes steps by the simplified increments that follow the full step from `start`, whose own
+    /// simplified one is in `increment`. Together they count as an iteration.
+    pub fn chord_steps(&mut self, start: GridState, step: Step) -> Result<ControlFlow<Ending>> {
+        let first = step.size;
+        let mut judge = Judge {
             tolerance: self.options.tolerance,
             steps: self.newton.chords,
             with_own: self.with_multipliers,
             first,
-            accuracy: self.newton.linear.error_of(accuracy),
+            accuracy: self
+                .newton
+                .linear
+                .error_of(self.accuracy_of_simplified(first)),
         };
+        let is_with_resultants = step.path.is_some();
+        let mut carried = self.carried(&judge, start, step)?;
+        if is_with_resultants && carried.is_none() {
+            return Ok(ControlFlow::Continue(()));
+        }
         let (mut before, mut size) = (first, self.newton.norm(&self.increment));
         let mut changed = f64::INFINITY;
         self.newton.contraction = Some(size / before);
@@ -91,31 +105,39 @@ impl<L: LinearSolver> Run<'_, L> {
         let residual = largest(&self.residual);
         let (mut taken, mut ends) = (None, false);
         while !ends && !self.left().is_contradicted() {
-            let change = match self.with_multipliers {
-                true => self.change_of_own(),
-                false => 0.0,
-            };
+            let change = self.change_that_counts();
             ends = match judge.next((before, changed), (size, change)) {
-                Next::Factor => break,
+                Next::Factor => {
+                    // Stretching may be what hides progress.
+                    self.newton.stretches |= self.may_stretch(&judge);
+                    break;
+                }
                 next => next == Next::Last,
             };
             changed = change;
             let change = self.newton.equations.unscaled(&self.increment, -1.0);
             let trial = self.newton.equations.stepped(self.state, &change, 1.0);
-            before = size;
             if !ends {
-                if !self.evaluate(&trial)? {
+                let accuracy = self.accuracy_after(size * size / before);
+                judge.accuracy = self.newton.linear.error_of(accuracy);
+                before = size;
+                if !self.simplify_after(&trial, &change, &mut carried, accuracy)? {
                     break;
                 }
-                self.increment.copy_from_slice(&self.trial_residual);
-                let solved = self.newton.solve_linear(&mut self.increment, accuracy)?;
                 size = self.newton.norm(&self.increment);
                 // Written so that NaN ends it too.
-                let nearer = solved && size < before;
+                let nearer = size < before;
                 if !nearer {
+                    self.newton.stretches |= self.may_stretch(&judge);
                     break;
                 }
                 self.residual.copy_from_slice(&self.trial_residual);
+                if let Some(carried) = &carried {
+                    let resultants = carried.resultants().to_vec();
+                    self.newton.equations.set_resultants(resultants);
+                }
+            } else {
+                before = size;
             }
             *self.state = trial;
             taken = Some(before);
@@ -134,6 +156,96 @@ impl<L: LinearSolver> Run<'_, L> {
             (false, true) => ControlFlow::Continue(()),
             (false, false) => ControlFlow::Break(Ending::plain(Outcome::Cancelled)),
         })
+    }
+
+    /// Change of own unknowns by the increment, if they are to converge.
+    fn change_that_counts(&self) -> f64 {
+        match self.with_multipliers {
+            true => self.change_of_own(),
+            false => 0.0,
+        }
+    }
+
+    /// Whether it may be stretching that hides progress.
+    fn may_stretch(&self, judge: &Judge) -> bool {
+        self.newton.equations.has_stations() && judge.hopes()
+    }
+
+    /// Whether stress resultants may be unknowns of their own, to some purpose: by solutions that
+    /// are not accurate they are off by more than motions, as axial stiffness is large.
+    fn may_carry(&self, judge: &Judge) -> bool {
+        self.may_stretch(judge) && self.is_accurate(COARSE)
+    }
+
+    /// Stress resultants as unknowns of their own, where the simplified increment is that with
+    /// them, or where only that one is worth a step: then it takes the place of the other.
+    fn carried(
+        &mut self,
+        judge: &Judge,
+        start: GridState,
+        step: Step,
+    ) -> Result<Option<CarriedResultants>> {
+        let Step {
+            size: first,
+            increment,
+            path,
+        } = step;
+        let is_found = path.is_some();
+        if !self.may_carry(judge) {
+            return Ok(None);
+        }
+        if !is_found {
+            let simplified = (self.newton.norm(&self.increment), self.change_that_counts());
+            if judge.next((first, f64::INFINITY), simplified) != Next::Factor {
+                return Ok(None);
+            }
+        }
+        let equations = &mut self.newton.equations;
+        let Ok(mut carried) = equations.carry_resultants(path, (&start, increment)) else {
+            return Ok(None);
+        };
+        let mut rows = self.residual.clone();
+        if equations
+            .part_carried(&mut carried, self.state, &mut rows)
+            .is_err()
+        {
+            return Ok(None);
+        }
+        if !is_found {
+            let accuracy = self.accuracy_of_simplified(first);
+            if !self.newton.solve_linear(&mut rows, accuracy)? {
+                return Ok(None);
+            }
+            self.newton.stretches = true;
+            self.increment = rows;
+        }
+        Ok(Some(carried))
+    }
+
+    /// Writes the simplified increment at `trial`, after another one that is not scaled. `false` if
+    /// there is none.
+    fn simplify_after(
+        &mut self,
+        trial: &GridState,
+        change: &[f64],
+        carried: &mut Option<CarriedResultants>,
+        accuracy: f64,
+    ) -> Result<bool> {
+        if !self.evaluate(trial)? {
+            return Ok(false);
+        }
+        self.increment.copy_from_slice(&self.trial_residual);
+        if let Some(carried) = carried {
+            let (equations, rows) = (&mut self.newton.equations, &mut self.increment);
+            let parted = timed(&mut self.newton.timings.assembly, || {
+                equations.step_carried(carried, change)?;
+                equations.part_carried(carried, trial, rows)
+            });
+            if parted.is_err() {
+                return Ok(false);
+            }
+        }
+        self.newton.solve_linear(&mut self.increment, accuracy)
     }
 }
 

@@ -3,7 +3,7 @@
 use super::run::{Line, Run, Test, Trial};
 use crate::collocation::{GridState, ResultantPath};
 use crate::error::Result;
-use crate::solve::linear::solver::LinearSolver;
+use crate::solve::linear::solver::{COARSE, LinearSolver};
 use crate::solve::report::timed;
 
 /// Shortest step.
@@ -79,7 +79,8 @@ impl<L: LinearSolver> Run<'_, L> {
         }
         let tolerance = self.options.tolerance;
         let accepts = |found: f64| is_monotone(found, step, line.size, tolerance);
-        if !has_stations || step == 1.0 && self.stretching * line.size < 1.0 {
+        let carries = has_stations && self.newton.stretches && self.is_accurate(COARSE);
+        if !has_stations || !carries && step == 1.0 && self.stretching * line.size < 1.0 {
             self.increment.copy_from_slice(&self.trial_residual);
             let found = self.simplify(line.size)?;
             if accepts(found) {

@@ -79,6 +79,9 @@ pub(crate) struct Newton<L = Assembled> {
     contraction: Option<f64>,
     /// Steps with the same matrix that are worth no other one.
     pub chords: i32,
+    /// Whether stretching has hidden the progress of steps with the same matrix: then stress
+    /// resultants are unknowns of their own from the first one on, if solutions are accurate.
+    stretches: bool,
     /// Whether the Jacobian is taken to be regular where a solve begins, as next to where it was.
     pub trusts: bool,
     /// What is to be looked at of the last solution, where blades are alike.
@@ -162,6 +165,7 @@ impl<L: LinearSolver> Newton<L> {
             is_on_the_way: false,
             patience: None,
             trusts: false,
+            stretches: false,
             chords: chord::STEPS,
             iterations: 0,
             equations,

@@ -13,8 +13,9 @@ use crate::work::RESIDUAL;
 use nalgebra::Vector6;
 use std::ops::ControlFlow;
 
-/// Roughest accuracy of a simplified increment that may be the last.
+/// Roughest accuracy of a simplified increment that may be the last, and of one that is not.
 const ROUGHEST: f64 = 5e-3;
+const NOT_LAST: f64 = 2e-2;
 /// A step shorter than this is far from a solution.
 const SHORT_STEP: f64 = 0.1;
 
@@ -74,6 +75,17 @@ pub(super) struct Line<'a> {
     pub is_last: bool,
 }
 
+/// A full step.
+pub(super) struct Step {
+    /// Largest motion of its increment.
+    pub size: f64,
+    /// Its increment, not scaled.
+    pub increment: Vec<f64>,
+    /// Stress resultants along it, if its simplified increment is that with these as unknowns of
+    /// their own.
+    pub path: Option<ResultantPath>,
+}
+
 /// A step that is accepted.
 pub(super) struct Trial {
     pub state: GridState,
@@ -91,6 +103,7 @@ impl<'a, L: LinearSolver> Run<'a, L> {
         observe: &'a mut dyn FnMut(&Iteration) -> bool,
     ) -> Self {
         let size = newton.equations.layout().size();
+        let is_near = newton.trusts && !newton.stretches;
         Run {
             watchdog: Watchdog::new(newton.equations.has_stations()),
             newton,
@@ -104,7 +117,10 @@ impl<'a, L: LinearSolver> Run<'a, L> {
             residual: vec![0.0; size],
             trial_residual: vec![0.0; size],
             increment: vec![0.0; size],
-            accuracy: COARSE,
+            accuracy: match is_near {
+                true => NOT_LAST,
+                false => COARSE,
+            },
             stretching: 0.0,
             short_steps: 0,
         }
@@ -186,8 +202,9 @@ impl<'a, L: LinearSolver> Run<'a, L> {
         // Forces that are still to change much are off by as much as the motions are.
         let own_settled = || size * self.change_of_own() <= ERROR_LEFT * self.options.tolerance;
         let is_last = settled && (!self.with_multipliers || own_settled());
+        let increment = self.newton.equations.unscaled(&self.increment, 1.0);
         let line = Line {
-            increment: &self.newton.equations.unscaled(&self.increment, 1.0),
+            increment: &increment,
             turn: largest_turn(self.newton.equations.layout(), &self.increment),
             size,
             is_last,
@@ -203,7 +220,7 @@ impl<'a, L: LinearSolver> Run<'a, L> {
                 return Ok(ControlFlow::Continue(()));
             }
         }
-        self.keep_resultants(found.as_ref(), path, size);
+        self.keep_resultants(found.as_ref(), path.as_ref(), size);
         let goes_on = self.record(Iteration {
             number: self.iterations.len() + 1,
             residual,
@@ -211,7 +228,15 @@ impl<'a, L: LinearSolver> Run<'a, L> {
             step: found.as_ref().map_or(0.0, |trial| trial.step),
         });
         match found {
-            Some(trial) => self.take(trial, size, (is_last, goes_on)),
+            Some(trial) => {
+                let path = path.filter(|_| trial.test == Test::IncrementWithResultants);
+                let step = Step {
+                    size,
+                    increment,
+                    path,
+                };
+                self.take(trial, step, (is_last, goes_on))
+            }
             None => Ok(self.explain_stall(size)),
         }
     }
@@ -260,8 +285,23 @@ impl<'a, L: LinearSolver> Run<'a, L> {
     /// Accuracy to which the simplified increment after an increment of this size is found: what
     /// its error leaves is little beside the tolerance.
     pub fn accuracy_of_simplified(&self, size: f64) -> f64 {
-        let expected = size * size.max(COARSE);
-        (ERROR_LEFT * self.options.tolerance / expected).clamp(COARSE, ROUGHEST)
+        self.accuracy_after(size * size.max(COARSE))
+    }
+
+    /// Accuracy to which one that is expected to be so large is found: as the last if it may be
+    /// that, else as what another one corrects.
+    pub fn accuracy_after(&self, expected: f64) -> f64 {
+        let as_last = ERROR_LEFT * self.options.tolerance / expected;
+        // Written so that NaN is not the last.
+        if as_last >= COARSE {
+            return as_last.min(ROUGHEST);
+        }
+        if self.newton.stretches {
+            return COARSE;
+        }
+        let steps = f64::from(self.newton.chords);
+        let worth_a_step = (self.options.tolerance / expected).powf(1.0 / steps);
+        (0.5 * worth_a_step).clamp(COARSE, NOT_LAST)
     }
 
     /// Largest change of own unknowns by `increment`, relative to the largest of them.
@@ -269,6 +309,11 @@ impl<'a, L: LinearSolver> Run<'a, L> {
         let equations = &self.newton.equations;
         let (layout, scales) = (equations.layout(), equations.column_scale());
         change_of_own(layout, &self.increment, scales, &self.state.multipliers)
+    }
+
+    /// Whether solutions to this accuracy are known to be better.
+    pub fn is_accurate(&self, accuracy: f64) -> bool {
+        self.newton.linear.error_of(accuracy) < accuracy
     }
 
     /// What is left of the equations.
@@ -294,7 +339,7 @@ impl<'a, L: LinearSolver> Run<'a, L> {
     }
 
     /// Chooses the stress resultants of the next geometric stiffness, and where to go back to.
-    fn keep_resultants(&mut self, found: Option<&Trial>, path: Option<ResultantPath>, size: f64) {
+    fn keep_resultants(&mut self, found: Option<&Trial>, path: Option<&ResultantPath>, size: f64) {
         let forced = found.is_some_and(|trial| trial.test == Test::None);
         let equations = &mut self.newton.equations;
         self.watchdog.step(forced, size, || Start {
@@ -313,10 +358,11 @@ impl<'a, L: LinearSolver> Run<'a, L> {
     fn take(
         &mut self,
         trial: Trial,
-        size: f64,
+        step: Step,
         (is_last, goes_on): (bool, bool),
     ) -> Result<ControlFlow<Ending>> {
-        *self.state = trial.state;
+        let size = step.size;
+        let start = std::mem::replace(self.state, trial.state);
         self.residual.copy_from_slice(&self.trial_residual);
         if is_last {
             self.newton.contraction = Some(size);
@@ -331,10 +377,10 @@ impl<'a, L: LinearSolver> Run<'a, L> {
             let why = format!("{short_steps} short steps led nowhere near");
             return Ok(ControlFlow::Break(Ending::new(Outcome::Stalled, why)));
         }
-        if trial.step < 1.0 || trial.test != Test::Increment {
+        if trial.step < 1.0 || trial.test == Test::None {
             return Ok(ControlFlow::Continue(()));
         }
-        self.chord_steps(size)
+        self.chord_steps(start, step)
     }
 
     /// What to do where no step by an increment of this size is accepted.
