@@ -204,14 +204,22 @@ impl Assembly<'_> {
         for k in 0..points {
             let (first, stride) = self.pattern.pair_place(pair, k);
             for (l, [gamma_v, gamma_a]) in gammas[k * points..][..points].iter().enumerate() {
-                let mut block = Matrix6::zeros();
-                gamma_a.add_product_to(&mass[l], &mut block);
-                gamma_v.add_product_to(&damping[l], &mut block);
-                if l == k && self.power == 0 {
-                    block += stiffness[l];
+                let rest = (l == k && self.power == 0).then(|| &stiffness[l]);
+                for j in 0..3 {
+                    // Few numbers at a time, which need not be stored on the way.
+                    let mut columns = match rest {
+                        Some(rest) => [rest.data.0[j], rest.data.0[j + 3]],
+                        None => [[0.0; 6]; 2],
+                    };
+                    gamma_a.add_columns_of_product(&mass[l], j, &mut columns);
+                    gamma_v.add_columns_of_product(&damping[l], j, &mut columns);
+                    for (component, column) in [j, j + 3].into_iter().zip(&columns) {
+                        let to = &mut values[first + component * stride + 6 * l..][..6];
+                        let entries = column.iter().zip(&self.scale.data.0[component]);
+                        let entries = to.iter_mut().zip(entries);
+                        entries.for_each(|(to, (entry, scale))| *to = entry * scale);
+                    }
                 }
-                block.component_mul_assign(&self.scale);
-                write_block(&block, &mut values[first + 6 * l..], stride);
             }
         }
     }
@@ -342,7 +350,8 @@ impl Assembly<'_> {
 /// Writes a block whose columns are `stride` apart.
 #[inline]
 fn write_block(block: &Matrix6<f64>, values: &mut [f64], stride: usize) {
-    for component in 0..6 {
-        values[component * stride..][..6].copy_from_slice(block.column(component).as_slice());
+    // Of a length that is known: no call for so few numbers.
+    for (component, column) in block.data.0.iter().enumerate() {
+        values[component * stride..][..6].copy_from_slice(column);
     }
 }
