@@ -166,9 +166,9 @@ impl<L: LinearSolver> Run<'_, L> {
         }
     }
 
-    /// Whether it may be stretching that hides progress.
+    /// Whether it may be stretching that hides progress, next to where the last solve ended.
     fn may_stretch(&self, judge: &Judge) -> bool {
-        self.newton.equations.has_stations() && judge.hopes()
+        self.newton.trusts && self.newton.equations.has_stations() && judge.hopes()
     }
 
     /// Whether stress resultants may be unknowns of their own, to some purpose: by solutions that

@@ -296,7 +296,8 @@ impl<'a, L: LinearSolver> Run<'a, L> {
         if as_last >= COARSE {
             return as_last.min(ROUGHEST);
         }
-        if self.newton.stretches {
+        // Far from a solution, and where stretching makes much of errors.
+        if !self.newton.trusts || self.newton.stretches {
             return COARSE;
         }
         let steps = f64::from(self.newton.chords);
