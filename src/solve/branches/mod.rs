@@ -2,7 +2,7 @@
 //! See docs/theory.md, section 13.3.
 //!
 //! * `walk.rs`: a point, the next point; `tangent.rs`: in which direction;
-//! * `course.rs`: where it is guessed to be; `step.rs`: how long the next step is;
+//! * `course.rs`, `prediction.rs`: where it is guessed to be; `step.rs`: how long the next step is;
 //! * `follow.rs`: from the first point to the end;
 //! * `grid.rs`: with how many grid points it goes on;
 //! * `events.rs`, `determinants.rs`, `multipliers.rs`: what lies between two points, located;
@@ -22,6 +22,7 @@ mod go_on;
 mod grid;
 mod locus;
 mod multipliers;
+mod prediction;
 pub(in crate::solve) mod singular;
 mod step;
 mod switch;
