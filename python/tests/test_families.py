@@ -60,6 +60,18 @@ def test_what_a_mean_force_does_to_the_position():
         np.testing.assert_allclose(derivatives, [[0.25, 0]], atol=1e-10)
 
 
+def test_a_branch_from_a_solution_on_a_mapped_grid():
+    model, *_ = driven()
+    start = model.solve_periodic(2 * np.pi, grid_points=21, time_map=pdn.TIME_MAP_EVENTS,
+                                 event_count=1, event_times=[1.0], event_widths=[0.5],
+                                 event_shares=[0.5])
+    assert start.sharp_event_count() == 1
+    periodic = pdn.PeriodicOptions(grid_points=21, initial=start)
+    branch = model.follow_branch(2 * np.pi, pdn.FREQUENCY, periodic=periodic, from_=0.9, to=1.2)
+    assert branch.end() == pdn.BRANCH_RANGE and len(branch) > 1
+    assert branch.solution(0).sharp_event_count() == 0
+
+
 def test_response_over_frequencies(tmp_path):
     model, body, _, coordinate = driven()
     seen = []
