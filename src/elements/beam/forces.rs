@@ -3,14 +3,16 @@
 use super::Beam;
 use super::law::CoupledLaw;
 use super::station::Station;
+use super::two_nodes::TwoNodes;
 use crate::elements::line_station::{
-    NodePlace, NodeTerms, SecondTerms, SecondVariations, StationMotion, geometric_stiffness,
-    geometric_stiffness_of_two, rate_variations, relative_to_first, second_variations,
+    NodePlace, NodeTerms, SecondTerms, StationMotion, geometric_stiffness, rate_variations,
+    relative_to_first, second_variations,
 };
 use crate::elements::{Contribution, Element, Instant, NodeState, StrainTangent, StressLaw};
 use crate::error::Result;
 use crate::motion::{DualMatrix, DualVector, product};
 use nalgebra::{Matrix6, Vector6};
+use std::ops::Range;
 
 /// Scratch for what the element finds at its stations.
 #[derive(Debug, Clone, Default)]
@@ -19,10 +21,12 @@ pub(in crate::elements) struct Scratch {
     pub(super) relative: Vec<DualMatrix>,
     /// Of the nodes, station by station.
     places: Vec<NodePlace>,
-    pub(super) terms: Vec<NodeTerms>,
-    /// Of the nodes, at one station.
-    second: Vec<SecondTerms>,
     motions: Vec<StationMotion>,
+    /// Of the nodes, at one station.
+    terms: Vec<NodeTerms>,
+    second: Vec<SecondTerms>,
+    /// Of the nodes, station by station.
+    pub(super) variations: Vec<StrainTangent>,
     pub(super) strains: Vec<Vector6<f64>>,
     pub(super) rates: Vec<Vector6<f64>>,
 }
@@ -42,7 +46,7 @@ impl Scratch {
     /// Forgets the nodes' places and terms at stations so far.
     fn forget_station(&mut self) {
         self.places.clear();
-        self.terms.clear();
+        self.variations.clear();
     }
 
     /// Appends the places of the nodes seen from a station.
@@ -52,10 +56,41 @@ impl Scratch {
         Ok(at)
     }
 
-    /// Appends the terms of the nodes whose places were appended last.
-    fn add_terms(&mut self, at: &StationMotion) {
-        let places = &self.places[self.terms.len()..];
+    /// Appends what strains vary by, with their rate if that varies, for nodes in these places.
+    fn add_variations(
+        &mut self,
+        at: &StationMotion,
+        places: Range<usize>,
+        (states, rate): (&[NodeState], Option<&DualVector>),
+    ) {
+        let places = &self.places[places];
+        self.terms.clear();
         self.terms.extend(at.node_terms(places.iter().copied()));
+        if let Some(rate) = rate {
+            rate_variations(at, rate, twists_of(states), places, &mut self.terms);
+        }
+        self.variations
+            .extend(self.terms.iter().map(|node| StrainTangent {
+                strain: node.strain,
+                rate: node.rate,
+            }));
+    }
+
+    /// The same, and adds the geometric stiffness of these resultants.
+    fn add_tangents(
+        &mut self,
+        at: &StationMotion,
+        places: Range<usize>,
+        (stress, states, rate): (&DualVector, &[NodeState], Option<&DualVector>),
+        out: &mut Contribution,
+    ) {
+        self.add_variations(at, places.clone(), (states, rate));
+        let nodes = self.places[places].iter().zip(&self.terms);
+        self.second.clear();
+        self.second.extend(second_variations(at, stress, nodes));
+        geometric_stiffness(&self.terms, &self.second, |a, b, block| {
+            out.add_stiffness(a, b, block);
+        });
     }
 }
 
@@ -122,8 +157,8 @@ impl Element for Beam {
         scratch.begin(nodes);
         let rates_vary = self.damping(nodes).rates_vary;
         for station in &self.stations {
-            let (mut e, mut rate) = self.find_terms(station, nodes, scratch)?;
-            for (node, [motion, velocity]) in scratch.terms.iter().zip(increments) {
+            let (mut e, mut rate) = self.find_variations(station, nodes, scratch)?;
+            for (node, [motion, velocity]) in scratch.variations.iter().zip(increments) {
                 let motion = DualVector::from_twist(motion);
                 e += node.strain * motion;
                 rate += node.strain * DualVector::from_twist(velocity);
@@ -144,18 +179,28 @@ impl Element for Beam {
         resultants: &[Vector6<f64>],
         out: &mut Contribution,
     ) -> Result<()> {
+        if let [first, second] = nodes {
+            let between = TwoNodes::new([first, second])?;
+            let stress = resultants[0] * self.stations[0].weight;
+            add_forces(between.forces(&DualVector::from_wrench(&stress)), out);
+            return Ok(());
+        }
         let mut scratch = std::mem::take(&mut out.scratch.beam);
         scratch.begin(nodes);
         for (station, resultants) in self.stations.iter().zip(resultants) {
             scratch.forget_station();
             let at = scratch.add_places(station)?;
-            add_forces(&at, &scratch.places, &(resultants * station.weight), out);
+            let stress = DualVector::from_wrench(&(resultants * station.weight));
+            add_forces(at.node_forces(&stress, scratch.places.iter()), out);
         }
         out.scratch.beam = scratch;
         Ok(())
     }
 
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
+        if let [first, second] = instant.nodes {
+            return self.add_two_nodes([first, second], instant, out);
+        }
         // Taken out while `out` is written to.
         let mut scratch = std::mem::take(&mut out.scratch.beam);
         scratch.begin(instant.nodes);
@@ -171,6 +216,11 @@ impl Element for Beam {
 /// The nodes' velocities.
 fn twists_of(states: &[NodeState]) -> impl Fn(usize) -> DualVector {
     |a| DualVector::from_twist(&states[a].twist)
+}
+
+/// Those of two.
+fn twists_of_two(states: &[NodeState]) -> [DualVector; 2] {
+    [0, 1].map(twists_of(states))
 }
 
 /// Whether strain rates matter, whether they vary with the motion, and whether the stiffness is
@@ -189,7 +239,10 @@ impl Beam {
         scratch.begin(states);
         let has_rates = self.damping(states).rates_vary;
         for station in &self.stations {
-            let (e, rate) = if has_rates {
+            let (e, rate) = if let [first, second] = states {
+                let between = TwoNodes::new([first, second])?;
+                (between.e, between.strain_rate(twists_of_two(states)))
+            } else if has_rates {
                 scratch.forget_station();
                 let at = scratch.add_places(station)?;
                 (at.e, at.strain_rate(&scratch.places, twists_of(states)))
@@ -205,22 +258,26 @@ impl Beam {
         Ok(())
     }
 
-    /// Finds the terms of a station, with its "velocity in ξ" and its rate: what these vary by.
-    /// Scratch has begun with these states.
-    pub(super) fn find_terms(
+    /// Finds what strains vary by at a station, with its "velocity in ξ" and its rate. Scratch has
+    /// begun with these states.
+    pub(super) fn find_variations(
         &self,
         station: &Station,
         states: &[NodeState],
         scratch: &mut Scratch,
     ) -> Result<(DualVector, DualVector)> {
+        let rates_vary = self.damping(states).rates_vary;
         scratch.forget_station();
-        let at = scratch.add_places(station)?;
-        scratch.add_terms(&at);
-        let rate = at.strain_rate(&scratch.places, twists_of(states));
-        if self.damping(states).rates_vary {
-            let twist = twists_of(states);
-            rate_variations(&at, &rate, twist, &scratch.places, &mut scratch.terms);
+        if let [first, second] = states {
+            let (between, twists) = (TwoNodes::new([first, second])?, twists_of_two(states));
+            let variations = between.variations(rates_vary.then_some(twists));
+            scratch.variations.extend(variations);
+            return Ok((between.e, between.strain_rate(twists)));
         }
+        let at = scratch.add_places(station)?;
+        let rate = at.strain_rate(&scratch.places, twists_of(states));
+        let varying = rates_vary.then_some(&rate);
+        scratch.add_variations(&at, 0..states.len(), (states, varying));
         Ok((at.e, rate))
     }
 
@@ -238,6 +295,36 @@ impl Beam {
             rates_vary: self.damped && moves,
             symmetric: !self.damped || !moves && self.spin == 0.0,
         }
+    }
+
+    /// Forces and tangents of an element with two nodes, and so one station.
+    fn add_two_nodes(
+        &self,
+        nodes: [&NodeState; 2],
+        instant: &Instant,
+        out: &mut Contribution,
+    ) -> Result<()> {
+        let (station, damping) = (&self.stations[0], self.damping(instant.nodes));
+        let law = match &self.law {
+            Some(law) => law.row(0)[0],
+            None => station.own_law(),
+        };
+        let between = TwoNodes::new(nodes)?;
+        let twists = twists_of_two(instant.nodes);
+        let mut stress = product(&law.0, &(between.e.to_twist() - station.reference));
+        if self.damped {
+            stress += product(&law.1, &between.strain_rate(twists).to_twist());
+        }
+        add_forces(between.forces(&DualVector::from_wrench(&stress)), out);
+        if out.with_tangents {
+            let held = held_resultants(instant, 0, station, stress);
+            let variations = between.variations(damping.rates_vary.then_some(twists));
+            between.geometric_stiffness(&held, &variations, |a, b, block| {
+                out.add_stiffness(a, b, block);
+            });
+            add_material_stiffness(&variations, &[law], &variations, damping, out);
+        }
+        Ok(())
     }
 
     /// Forces and tangents where each station has its own law.
@@ -260,27 +347,16 @@ impl Beam {
                 stress += product(&section.damping, &(rate.to_twist() / station.stretch));
             }
             let stress = stress * station.weight;
-            add_forces(&at, &scratch.places, &stress, out);
+            let wrench = DualVector::from_wrench(&stress);
+            add_forces(at.node_forces(&wrench, scratch.places.iter()), out);
             if !out.with_tangents {
                 continue;
             }
-            let held = instant.resultants.get(place);
-            let held = held.map_or(stress, |resultants| resultants * station.weight);
-            scratch.add_terms(&at);
-            let (places, terms) = (&scratch.places, &mut scratch.terms);
-            let of_nodes = (&scratch.relative[..], &places[..], &terms[..]);
-            add_geometric_stiffness(&at, &held, of_nodes, &mut scratch.second, out);
-            if damping.rates_vary {
-                let twist = twists_of(states);
-                rate_variations(&at, &rate, twist, places, terms);
-            }
-            add_material_stiffness(
-                &scratch.terms,
-                &[station.own_law()],
-                &scratch.terms,
-                damping,
-                out,
-            );
+            let held = held_resultants(instant, place, station, stress);
+            let rate = damping.rates_vary.then_some(&rate);
+            scratch.add_tangents(&at, 0..states.len(), (&held, states, rate), out);
+            let variations = &scratch.variations[..];
+            add_material_stiffness(variations, &[station.own_law()], variations, damping, out);
         }
         Ok(())
     }
@@ -305,75 +381,56 @@ impl Beam {
         }
         for (place, station) in self.stations.iter().enumerate() {
             let stress = law.resultants(place, &scratch.strains, &scratch.rates);
-            let places = &scratch.places[place * count..][..count];
-            let at = &scratch.motions[place];
-            add_forces(at, places, &stress, out);
+            let places = place * count..(place + 1) * count;
+            let at = scratch.motions[place].clone();
+            let wrench = DualVector::from_wrench(&stress);
+            add_forces(
+                at.node_forces(&wrench, scratch.places[places.clone()].iter()),
+                out,
+            );
             if !out.with_tangents {
                 continue;
             }
-            let held = instant.resultants.get(place);
-            let held = held.map_or(stress, |resultants| resultants * station.weight);
-            scratch.terms.extend(at.node_terms(places.iter().copied()));
-            let terms = &mut scratch.terms[place * count..];
-            let of_nodes = (&scratch.relative[..], places, &*terms);
-            add_geometric_stiffness(at, &held, of_nodes, &mut scratch.second, out);
-            if damping.rates_vary {
-                let rate = DualVector::from_twist(&scratch.rates[place]);
-                let twist = twists_of(states);
-                rate_variations(at, &rate, twist, places, terms);
-            }
+            let held = held_resultants(instant, place, station, stress);
+            let rate = DualVector::from_twist(&scratch.rates[place]);
+            let rate = damping.rates_vary.then_some(&rate);
+            scratch.add_tangents(&at, places, (&held, states, rate), out);
         }
         if out.with_tangents {
-            for (place, rows) in scratch.terms.chunks_exact(count).enumerate() {
-                add_material_stiffness(rows, law.row(place), &scratch.terms, damping, out);
+            for (place, rows) in scratch.variations.chunks_exact(count).enumerate() {
+                add_material_stiffness(rows, law.row(place), &scratch.variations, damping, out);
             }
         }
         Ok(())
     }
 }
 
-/// Adds the forces of integrated resultants.
-fn add_forces(
-    at: &StationMotion,
-    places: &[NodePlace],
-    stress: &Vector6<f64>,
-    out: &mut Contribution,
-) {
-    let forces = at.node_forces(&DualVector::from_wrench(stress), places.iter());
-    for (a, force) in forces.enumerate() {
-        out.add_force(a, &force.to_wrench());
-    }
+/// Integrated resultants that the geometric stiffness of a station is taken at: those of `stress`,
+/// unless others are given.
+fn held_resultants(
+    instant: &Instant,
+    place: usize,
+    station: &Station,
+    stress: Vector6<f64>,
+) -> DualVector {
+    let given = instant.resultants.get(place);
+    DualVector::from_wrench(&given.map_or(stress, |resultants| resultants * station.weight))
 }
 
-/// Adds the geometric stiffness of integrated resultants; nodes are at `relative` motions.
-fn add_geometric_stiffness(
-    at: &StationMotion,
-    stress: &Vector6<f64>,
-    (relative, places, terms): (&[DualMatrix], &[NodePlace], &[NodeTerms]),
-    second: &mut Vec<SecondTerms>,
-    out: &mut Contribution,
-) {
-    let stress = DualVector::from_wrench(stress);
-    if let ([_, y], [_, place], [_, terms]) = (relative, places, terms) {
-        let second = SecondVariations::new(at, &stress).of(place, terms);
-        geometric_stiffness_of_two(y, terms, &second, |a, b, block| {
-            out.add_stiffness(a, b, block)
-        });
-        return;
+/// Adds forces on the nodes, one after the other.
+fn add_forces(forces: impl IntoIterator<Item = DualVector>, out: &mut Contribution) {
+    for (a, force) in forces.into_iter().enumerate() {
+        out.add_force(a, &force.to_wrench());
     }
-    second.clear();
-    let nodes = places.iter().zip(terms);
-    second.extend(second_variations(at, &stress, nodes));
-    geometric_stiffness(terms, second, |a, b, block| out.add_stiffness(a, b, block));
 }
 
 /// Adds `K_ab = B_aᵀ Σ (S B_b + D R_b)` and `C_ab = B_aᵀ Σ D B_b`, sums over the stations that the
 /// `laws` of this one are of, whose `columns` follow each other; or puts `B` and `R` aside, if they
 /// are wanted apart.
 fn add_material_stiffness(
-    rows: &[NodeTerms],
+    rows: &[StrainTangent],
     laws: &[(Matrix6<f64>, Matrix6<f64>)],
-    columns: &[NodeTerms],
+    columns: &[StrainTangent],
     Damping {
         damped,
         rates_vary,
@@ -382,10 +439,7 @@ fn add_material_stiffness(
     out: &mut Contribution,
 ) {
     if out.with_resultants_apart {
-        out.strains.extend(rows.iter().map(|node| StrainTangent {
-            strain: node.strain,
-            rate: node.rate,
-        }));
+        out.strains.extend_from_slice(rows);
         return;
     }
     let count = rows.len();

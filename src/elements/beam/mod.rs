@@ -8,6 +8,7 @@ mod forces;
 mod law;
 mod reference;
 mod station;
+mod two_nodes;
 
 pub(super) use forces::Scratch;
 pub(super) use station::{Station, about_axis};
@@ -216,9 +217,9 @@ impl Beam {
         let mut scratch = Scratch::default();
         scratch.begin(states);
         for (station, by) in self.stations.iter().zip(&by_points) {
-            self.find_terms(station, states, &mut scratch)?;
+            self.find_variations(station, states, &mut scratch)?;
             let [by_strain, by_rate] = by.map(|by| DualVector::from_wrench(&by));
-            for (local, node) in scratch.terms.iter().enumerate() {
+            for (local, node) in scratch.variations.iter().enumerate() {
                 let spread = node.strain.transpose();
                 let by_motion = spread * by_strain + node.rate.transpose() * by_rate;
                 add(

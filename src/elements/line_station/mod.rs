@@ -7,8 +7,8 @@
 mod variations;
 
 pub(super) use variations::{
-    SecondTerms, SecondVariations, geometric_stiffness, geometric_stiffness_of_two,
-    rate_variations, second_variations, spread_variation, turned,
+    SecondTerms, SecondVariations, geometric_stiffness, rate_variations, second_variations,
+    spread_variation, turned,
 };
 
 use crate::error::{Error, ErrorKind, Result};
@@ -118,12 +118,15 @@ pub(super) fn relative_to_first<'a>(
 }
 
 fn polar_factors(g: &DualMatrix) -> Result<DualPolar> {
-    DualPolar::new(g).ok_or_else(|| {
-        Error::new(
-            ErrorKind::Model,
-            "an element turns by more than its order can follow: use more or smaller elements",
-        )
-    })
+    DualPolar::new(g).ok_or_else(turns_too_far)
+}
+
+/// That nodes of one element are turned so far relative to each other that nothing lies between.
+pub(super) fn turns_too_far() -> Error {
+    Error::new(
+        ErrorKind::Model,
+        "an element turns by more than its order can follow: use more or smaller elements",
+    )
 }
 
 impl<T: Scalar> StationMotion<T> {

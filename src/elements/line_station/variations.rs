@@ -132,25 +132,6 @@ fn geometric_block(
         + by.by_turn * column.turn
 }
 
-/// The same of an element with two nodes, by the terms of the second, which is at `y` relative to
-/// the first. Resultants that are constant in the section's frame do not mind a motion of the
-/// whole, `Δu = yᵀ Δu_1` at the second node: the blocks of a row add up to zero for that.
-pub fn geometric_stiffness_of_two(
-    y: &DualMatrix,
-    terms: &NodeTerms,
-    second: &SecondTerms,
-    mut add: impl FnMut(usize, usize, &Matrix6<f64>),
-) {
-    let carry = y.transpose();
-    let last = geometric_block((terms, second), (terms, second)) + second.own;
-    let below = -(last * carry);
-    let beside = below.transpose();
-    add(1, 1, &last.to_stiffness_matrix());
-    add(1, 0, &below.to_stiffness_matrix());
-    add(0, 1, &beside.to_stiffness_matrix());
-    add(0, 0, &(-(beside * carry)).to_stiffness_matrix());
-}
-
 /// Variation of the strain rate `ė = Σ B_a V_a` at constant nodal velocities (docs/theory.md,
 /// section 6.5): fills `rate`.
 pub fn rate_variations(
