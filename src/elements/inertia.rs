@@ -15,6 +15,8 @@ use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Matrix6x3, Vector3, Vector6};
 pub struct Inertia {
     nodes: Vec<usize>,
     mass: DMatrix<f64>,
+    /// The same, block by block: that of nodes `a` and `b` of `n` at `a n + b`.
+    blocks: Vec<Matrix6<f64>>,
     /// Inertial force of each node if all move as a rigid body, for a unit acceleration in its
     /// frame.
     shares: Vec<Matrix6x3<f64>>,
@@ -51,19 +53,22 @@ impl Inertia {
     /// Inertia with the given `6 n × 6 n` mass matrix over `nodes` at `reference` motions.
     pub fn consistent(nodes: Vec<usize>, mass: DMatrix<f64>, reference: &[Motion]) -> Self {
         debug_assert_eq!(mass.nrows(), 6 * nodes.len());
-        let shares = (0..nodes.len())
-            .map(|a| {
-                (0..nodes.len())
-                    .map(|b| {
-                        let carry = reference[b].relative(&reference[a]).adjoint();
-                        mass.fixed_view::<6, 6>(6 * a, 6 * b) * carry.fixed_columns::<3>(0)
-                    })
-                    .sum()
-            })
-            .collect();
+        let count = nodes.len();
+        let pairs = (0..count).flat_map(|a| (0..count).map(move |b| (6 * a, 6 * b)));
+        let block = |(row, column)| mass.fixed_view::<6, 6>(row, column).into_owned();
+        let blocks: Vec<Matrix6<f64>> = pairs.map(block).collect();
+        let share = |(a, blocks): (usize, &[Matrix6<f64>])| {
+            let of_node = |(b, block): (usize, &Matrix6<f64>)| {
+                let carry = reference[b].relative(&reference[a]).adjoint();
+                block * carry.fixed_columns::<3>(0)
+            };
+            blocks.iter().enumerate().map(of_node).sum()
+        };
+        let shares = blocks.chunks_exact(count).enumerate().map(share).collect();
         Inertia {
             nodes,
             mass,
+            blocks,
             shares,
             spins: Vec::new(),
         }
@@ -162,22 +167,18 @@ impl Element for Inertia {
 
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
         let InertialForces { factor, damping } = instant.inertial;
-        let (rows, masses) = (self.mass.nrows(), self.mass.as_slice());
-        let block = |a: usize, b: usize| {
-            let column = |j: usize| &masses[(6 * b + j) * rows + 6 * a..][..6];
-            let mut block = Matrix6::zeros();
-            for (j, to) in block.data.0.iter_mut().enumerate() {
-                to.copy_from_slice(column(j));
-            }
-            block
-        };
-        for (a, node) in instant.nodes.iter().enumerate() {
-            let mut force = Vector6::zeros();
-            let mut momentum = Vector6::zeros();
-            for (b, other) in instant.nodes.iter().enumerate() {
-                let m = block(a, b);
-                force += product(&m, &other.twist_rate);
-                momentum += product(&m, &other.twist);
+        let zero = Vector6::zeros();
+        let rows = self.blocks.chunks_exact(self.nodes.len());
+        for (a, (node, blocks)) in instant.nodes.iter().zip(rows).enumerate() {
+            let (mut force, mut momentum) = (zero, zero);
+            // What is at rest adds nothing.
+            for (block, other) in blocks.iter().zip(instant.nodes) {
+                if other.twist_rate != zero {
+                    force += product(block, &other.twist_rate);
+                }
+                if other.twist != zero {
+                    momentum += product(block, &other.twist);
+                }
             }
             let whole = momentum + self.momentum_of_spin(a);
             force = (force + gyroscopic(&node.twist, &whole)) * factor + momentum * damping;
@@ -189,16 +190,21 @@ impl Element for Inertia {
             }
             let mut stiffness = out.stiffness.fixed_view_mut::<6, 3>(6 * a, 6 * a + 3);
             stiffness -= product(&self.shares[a], &skew(&gravity));
-            for b in 0..instant.nodes.len() {
-                let m = block(a, b);
-                out.add_mass(a, b, &(m * factor));
-                let mut by_velocity = m * damping;
-                for (j, mut column) in by_velocity.column_iter_mut().enumerate() {
-                    column += gyroscopic(&node.twist, &m.column(j).into()) * factor;
+            for (b, block) in blocks.iter().enumerate() {
+                out.add_mass(a, b, &(block * factor));
+                if node.twist == zero && damping == 0.0 {
+                    continue;
+                }
+                let mut by_velocity = block * damping;
+                let columns = by_velocity.column_iter_mut().zip(block.column_iter());
+                for (mut to, column) in columns {
+                    to += gyroscopic(&node.twist, &column.into()) * factor;
                 }
                 out.add_damping(a, b, &by_velocity);
             }
-            out.add_damping(a, a, &(momentum_matrix(&whole) * -factor));
+            if whole != zero {
+                out.add_damping(a, a, &(momentum_matrix(&whole) * -factor));
+            }
         }
         Ok(())
     }
