@@ -133,22 +133,24 @@ impl Collocation {
     }
 
     /// Stress resultants as unknowns of their own after a full step from `start`, where the
-    /// equations were linearised, by an increment that is not scaled; `path` is that along it, if
-    /// it was looked at.
+    /// equations were linearised, by an increment that is not scaled, to `end`, where velocities
+    /// are those at present and stay so; `path` is that along it, if it was looked at.
     ///
     /// # Errors
     /// If an element is too distorted.
     pub fn carry_resultants(
         &mut self,
         path: Option<ResultantPath>,
-        (start, increment): (&GridState, Vec<f64>),
+        (start, increment, end): (&GridState, Vec<f64>, &GridState),
     ) -> Result<CarriedResultants> {
         let (nodes, linear) = match path {
             Some(path) => (path.nodes, path.end),
             None => {
                 self.update_kinematics(start);
                 let linear = self.extrapolated_resultants(&increment)?;
-                (self.node_states().to_vec(), linear)
+                let nodes = self.node_states().to_vec();
+                self.update_kinematics(end);
+                (nodes, linear)
             }
         };
         Ok(CarriedResultants {
@@ -160,18 +162,16 @@ impl Collocation {
         })
     }
 
-    /// Makes of the scaled residual at `state` the one with these resultants as unknowns of their
-    /// own, as [`Collocation::part_resultants`] does.
+    /// Makes of the scaled residual, where it was evaluated last, the one with these resultants as
+    /// unknowns of their own, as [`Collocation::part_resultants`] does.
     ///
     /// # Errors
     /// If an element is too distorted.
     pub fn part_carried(
         &mut self,
         carried: &mut CarriedResultants,
-        state: &GridState,
         residual: &mut [f64],
     ) -> Result<()> {
-        self.update_kinematics(state);
         carried.strained = self.resultants_of_strains()?;
         self.part(&carried.resultants, &carried.nodes, residual)
     }

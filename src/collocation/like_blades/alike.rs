@@ -221,6 +221,16 @@ impl AlikeMotions {
         self.repeat_nodes(layout, forces, |step, before| step.forth.tr_mul(before));
     }
 
+    /// Nodes of hub and supports, each with what it does from one part of the period to the next;
+    /// none where it is still.
+    fn of_hub_and_supports(&self) -> impl Iterator<Item = (usize, Option<&Step>)> {
+        let nodes = self.nodes.iter().zip(&self.still).enumerate();
+        nodes.filter_map(|(node, (step, is_still))| {
+            let step = step.as_ref()?;
+            Some((node, (!is_still).then_some(step)))
+        })
+    }
+
     /// Writes means of what belongs to nodes of hub and supports to the first part of the period,
     /// where this carries what is one part later.
     fn average_nodes(
@@ -230,18 +240,12 @@ impl AlikeMotions {
         carry: impl Fn(&Step, &Vector6<f64>) -> Vector6<f64>,
     ) {
         let part = layout.points() / self.blades;
-        for (node, step) in self.nodes.iter().enumerate() {
-            let Some(step) = step else {
-                continue;
-            };
+        for (node, step) in self.of_hub_and_supports() {
             for k in 0..part {
                 let mut sum = Vector6::zeros();
                 for q in (0..self.blades).rev() {
                     let at = layout.motion(node, k + q * part);
-                    let carried = match self.still[node] {
-                        true => sum,
-                        false => carry(step, &sum),
-                    };
+                    let carried = step.map_or(sum, |step| carry(step, &sum));
                     sum = carried + Vector6::from_column_slice(&x[at]);
                 }
                 let mean = sum / self.blades as f64;
@@ -259,16 +263,10 @@ impl AlikeMotions {
         carry: impl Fn(&Step, &Vector6<f64>) -> Vector6<f64>,
     ) {
         let part = layout.points() / self.blades;
-        for (node, step) in self.nodes.iter().enumerate() {
-            let Some(step) = step else {
-                continue;
-            };
+        for (node, step) in self.of_hub_and_supports() {
             for k in part..layout.points() {
                 let before = Vector6::from_column_slice(&x[layout.motion(node, k - part)]);
-                let here = match self.still[node] {
-                    true => before,
-                    false => carry(step, &before),
-                };
+                let here = step.map_or(before, |step| carry(step, &before));
                 x[layout.motion(node, k)].copy_from_slice(here.as_slice());
             }
         }

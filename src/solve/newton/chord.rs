@@ -117,10 +117,11 @@ impl<L: LinearSolver> Run<'_, L> {
             changed = change;
             let change = self.newton.equations.unscaled(&self.increment, -1.0);
             let trial = self.newton.equations.stepped(self.state, &change, 1.0);
+            let expected = size * size / before;
+            before = size;
             if !ends {
-                let accuracy = self.accuracy_after(size * size / before);
+                let accuracy = self.accuracy_after(expected);
                 judge.accuracy = self.newton.linear.error_of(accuracy);
-                before = size;
                 if !self.simplify_after(&trial, &change, &mut carried, accuracy)? {
                     break;
                 }
@@ -136,8 +137,6 @@ impl<L: LinearSolver> Run<'_, L> {
                     let resultants = carried.resultants().to_vec();
                     self.newton.equations.set_resultants(resultants);
                 }
-            } else {
-                before = size;
             }
             *self.state = trial;
             taken = Some(before);
@@ -201,14 +200,12 @@ impl<L: LinearSolver> Run<'_, L> {
             }
         }
         let equations = &mut self.newton.equations;
-        let Ok(mut carried) = equations.carry_resultants(path, (&start, increment)) else {
+        let way = (&start, increment, &*self.state);
+        let Ok(mut carried) = equations.carry_resultants(path, way) else {
             return Ok(None);
         };
         let mut rows = self.residual.clone();
-        if equations
-            .part_carried(&mut carried, self.state, &mut rows)
-            .is_err()
-        {
+        if equations.part_carried(&mut carried, &mut rows).is_err() {
             return Ok(None);
         }
         if !is_found {
@@ -239,7 +236,7 @@ impl<L: LinearSolver> Run<'_, L> {
             let (equations, rows) = (&mut self.newton.equations, &mut self.increment);
             let parted = timed(&mut self.newton.timings.assembly, || {
                 equations.step_carried(carried, change)?;
-                equations.part_carried(carried, trial, rows)
+                equations.part_carried(carried, rows)
             });
             if parted.is_err() {
                 return Ok(false);

@@ -133,11 +133,11 @@ impl Periodic<'_> {
     /// and does little harm to the present solution; where there is no such motion, one that suits
     /// this.
     fn first_map(&mut self, grid: TimeGrid, state: &GridState) -> Result<Option<Sharper>> {
-        if !self.maps.looked && self.is_smooth_at_rest() {
-            self.maps.left = 0;
-            return Ok(None);
-        }
         if !self.maps.looked {
+            if self.is_smooth_at_rest() {
+                self.maps.left = 0;
+                return Ok(None);
+            }
             self.maps.looked = true;
             self.maps.followed = self.follow(grid)?;
         }
@@ -172,13 +172,13 @@ impl Periodic<'_> {
     /// Whether the harmonics of the quasi-static motion on the grid where it was found first end in
     /// what its Newton iterations may leave: a finer one shows no more then.
     fn is_smooth_at_rest(&self) -> bool {
-        let Some((grid, state)) = self.starts.first_found() else {
+        let found = self.starts.first_found();
+        let Some((grid, state)) = found.filter(|(grid, _)| grid.points() >= LEAST_TELLING) else {
             return false;
         };
         let amplitudes = Decay::of(&self.on.system, grid, state).amplitudes;
         let upper = amplitudes.iter().rev().take(amplitudes.len() / HIGHEST);
-        grid.points() >= LEAST_TELLING
-            && upper.fold(0.0, |most: f64, a| most.max(*a)) <= LEFT_BY_GUESS
+        upper.fold(0.0, |most: f64, a| most.max(*a)) <= LEFT_BY_GUESS
     }
 
     /// A map that suits the present solution more than that of its grid.
