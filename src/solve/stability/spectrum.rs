@@ -399,11 +399,14 @@ impl Spectrum {
         errors.fold(0.0, f64::max)
     }
 
-    /// Frequencies, up to the `highest`, of the modes, each with the size of its multiplier.
+    /// Frequencies, up to the `highest`, of the modes, each with the size of its multiplier; not of
+    /// those whose multiplier is rounding, and their frequency with it.
     pub fn modes(&self, highest: f64) -> impl Iterator<Item = (f64, f64)> {
-        let all = self.frequencies.iter().zip(&self.values);
-        let sizes = all.map(|(frequency, value)| (frequency.abs(), value.norm()));
-        sizes.filter(move |mode| mode.0 <= highest)
+        let sizes = self.values.iter().map(|value| value.norm());
+        let all = sizes.zip(&self.rounding).zip(&self.frequencies);
+        let known = all.filter(|((size, rounding), _)| size > *rounding);
+        let modes = known.map(|((size, _), frequency)| (frequency.abs(), size));
+        modes.filter(move |mode| mode.0 <= highest)
     }
 
     /// Adds an error, relative to multipliers that are larger than 1, to all.
