@@ -457,3 +457,20 @@ impl Spectrum {
         all
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn modes_whose_multiplier_is_rounding_do_not_count() {
+        let spectrum = Spectrum {
+            values: [0.3, 1e-13, 2e-11, 0.1].map(Complex::from).to_vec(),
+            frequencies: vec![-2.0, 5.0, 7.0, 30.0],
+            rounding: vec![1e-12; 4],
+            ..Spectrum::default()
+        };
+        let found: Vec<(f64, f64)> = spectrum.modes(10.0).collect();
+        assert_eq!(found, [(2.0, 0.3), (7.0, 2e-11)]);
+    }
+}
