@@ -93,7 +93,7 @@ fn rigid_motions_are_free_of_stress_and_have_exact_kinetic_energy() {
         let inertia = shell.inertia().unwrap();
         let carried = reference.iter().map(|m| m.inverse().adjoint() * twist);
         let velocities = DVector::from_vec(carried.flat_map(|v| v.data.0[0]).collect());
-        let energy = velocities.dot(&(inertia.mass() * &velocities));
+        let energy = velocities.dot(&inertia.times_mass(&velocities));
         let exact = twist.dot(&(inertia.about_origin(&reference) * twist));
         let (mass, moment) = inertia.mass_and_moment(&reference);
         assert!((mass - shell.area() * 0.05 * 2.0).abs() < 1e-14 * mass);

@@ -4,7 +4,7 @@
 use super::{Contribution, Element, InertialForces, Instant, NodeState};
 use crate::error::{Result, require_finite};
 use crate::motion::{Motion, halves, joined, product, skew, transposed_product};
-use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Matrix6x3, Vector3, Vector6};
+use nalgebra::{DVector, Matrix3, Matrix6, Matrix6x3, Vector3, Vector6};
 
 /// Inertial forces `M V̇ − Ṽᵀ M (V + S)` with `M` constant, and the weight. What is symmetric about
 /// an axis may spin about it, with a constant twist `S` relative to the node.
@@ -14,8 +14,7 @@ use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Matrix6x3, Vector3, Vector6};
 #[derive(Debug, Clone)]
 pub struct Inertia {
     nodes: Vec<usize>,
-    mass: DMatrix<f64>,
-    /// The same, block by block: that of nodes `a` and `b` of `n` at `a n + b`.
+    /// The mass matrix, block by block: that of nodes `a` and `b` of `n` at `a n + b`.
     blocks: Vec<Matrix6<f64>>,
     /// Inertial force of each node if all move as a rigid body, for a unit acceleration in its
     /// frame.
@@ -46,17 +45,14 @@ impl Inertia {
     pub fn rigid_body(node: usize, offset: &Motion, inertia: &Matrix6<f64>) -> Self {
         let carry = offset.inverse().adjoint();
         let at_node = carry.transpose() * inertia * carry;
-        let mass = DMatrix::from_iterator(6, 6, at_node.iter().copied());
-        Self::consistent(vec![node], mass, &[Motion::identity()])
+        Self::consistent(vec![node], vec![at_node], &[Motion::identity()])
     }
 
-    /// Inertia with the given `6 n × 6 n` mass matrix over `nodes` at `reference` motions.
-    pub fn consistent(nodes: Vec<usize>, mass: DMatrix<f64>, reference: &[Motion]) -> Self {
-        debug_assert_eq!(mass.nrows(), 6 * nodes.len());
+    /// Inertia with a mass matrix of these 6×6 blocks, row by row, over `n` nodes at `reference`
+    /// motions.
+    pub fn consistent(nodes: Vec<usize>, blocks: Vec<Matrix6<f64>>, reference: &[Motion]) -> Self {
         let count = nodes.len();
-        let pairs = (0..count).flat_map(|a| (0..count).map(move |b| (6 * a, 6 * b)));
-        let block = |(row, column)| mass.fixed_view::<6, 6>(row, column).into_owned();
-        let blocks: Vec<Matrix6<f64>> = pairs.map(block).collect();
+        debug_assert_eq!(blocks.len(), count * count);
         let share = |(a, blocks): (usize, &[Matrix6<f64>])| {
             let of_node = |(b, block): (usize, &Matrix6<f64>)| {
                 let carry = reference[b].relative(&reference[a]).adjoint();
@@ -67,7 +63,6 @@ impl Inertia {
         let shares = blocks.chunks_exact(count).enumerate().map(share).collect();
         Inertia {
             nodes,
-            mass,
             blocks,
             shares,
             spins: Vec::new(),
@@ -77,14 +72,9 @@ impl Inertia {
     /// Lets it move with these constant twists relative to its nodes, along their axes. By such
     /// motions the mass matrix must not change.
     pub fn spinning(mut self, twists: &[Vector6<f64>]) -> Self {
-        let all = DVector::from_iterator(6 * twists.len(), twists.iter().flatten().copied());
-        let momenta = &self.mass * all;
-        let momenta = (0..twists.len()).map(|a| momenta.fixed_rows::<6>(6 * a).into_owned());
-        self.spins = twists
-            .iter()
-            .copied()
-            .zip(momenta)
-            .map(<[_; 2]>::from)
+        let momentum = |a: usize| self.row(a).iter().zip(twists).map(|(m, v)| m * v).sum();
+        self.spins = (0..twists.len())
+            .map(|a| [twists[a], momentum(a)])
             .collect();
         self
     }
@@ -111,12 +101,25 @@ impl Inertia {
             let mut twist = twists.fixed_rows_mut::<6>(6 * a);
             twist += spin;
         }
-        [&self.mass * &twists, twists]
+        [self.times_mass(&twists), twists]
     }
 
-    /// The mass matrix, `6 n × 6 n`.
-    pub fn mass(&self) -> &DMatrix<f64> {
-        &self.mass
+    /// Blocks of the mass matrix in the rows of node `a`: one for each node.
+    pub fn row(&self, a: usize) -> &[Matrix6<f64>] {
+        let count = self.nodes.len();
+        &self.blocks[a * count..(a + 1) * count]
+    }
+
+    /// The mass matrix times `6 n` numbers.
+    pub fn times_mass(&self, twists: &DVector<f64>) -> DVector<f64> {
+        let mut momenta = DVector::zeros(twists.len());
+        for a in 0..self.nodes.len() {
+            let mut momentum = momenta.fixed_rows_mut::<6>(6 * a);
+            for (b, block) in self.row(a).iter().enumerate() {
+                momentum += block * twists.fixed_rows::<6>(6 * b);
+            }
+        }
+        momenta
     }
 }
 
@@ -168,8 +171,8 @@ impl Element for Inertia {
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
         let InertialForces { factor, damping } = instant.inertial;
         let zero = Vector6::zeros();
-        let rows = self.blocks.chunks_exact(self.nodes.len());
-        for (a, (node, blocks)) in instant.nodes.iter().zip(rows).enumerate() {
+        for (a, node) in instant.nodes.iter().enumerate() {
+            let blocks = self.row(a);
             let (mut force, mut momentum) = (zero, zero);
             // What is at rest adds nothing.
             for (block, other) in blocks.iter().zip(instant.nodes) {
@@ -217,8 +220,8 @@ impl Inertia {
         let carry: Vec<Matrix6<f64>> = motions.iter().map(|m| m.inverse().adjoint()).collect();
         let mut sum = Matrix6::zeros();
         for (a, left) in carry.iter().enumerate() {
-            for (b, right) in carry.iter().enumerate() {
-                sum += left.tr_mul(&(self.mass.fixed_view::<6, 6>(6 * a, 6 * b) * right));
+            for (block, right) in self.row(a).iter().zip(&carry) {
+                sum += left.tr_mul(&(block * right));
             }
         }
         sum
@@ -227,7 +230,7 @@ impl Inertia {
     /// Mass and centre-of-mass moment `Σ m r`, in the inertial frame, of the nodes at `motions`.
     pub fn mass_and_moment(&self, motions: &[Motion]) -> (f64, Vector3<f64>) {
         // Momentum of a unit translation along each axis, and its moment.
-        let size = self.mass.nrows();
+        let size = 6 * self.nodes.len();
         let mut mass = 0.0;
         let mut moment = Vector3::zeros();
         for axis in 0..3 {
@@ -237,7 +240,7 @@ impl Inertia {
                     .fixed_rows_mut::<3>(6 * a)
                     .copy_from(&m.rotation.row(axis).transpose());
             }
-            let momentum = &self.mass * &twist;
+            let momentum = self.times_mass(&twist);
             mass += twist.dot(&momentum) / 3.0;
             for (a, m) in motions.iter().enumerate() {
                 let force = m.rotation * momentum.fixed_rows::<3>(6 * a);

@@ -37,11 +37,10 @@ impl Element for MassDamping {
     }
 
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
-        let mass = self.inertia.mass();
         for a in 0..instant.nodes.len() {
             let mut force = self.inertia.momentum_of_spin(a) * self.factor;
-            for (b, other) in instant.nodes.iter().enumerate() {
-                let block = mass.fixed_view::<6, 6>(6 * a, 6 * b) * self.factor;
+            for (b, (other, mass)) in instant.nodes.iter().zip(self.inertia.row(a)).enumerate() {
+                let block = mass * self.factor;
                 force += block * other.twist;
                 if out.with_tangents {
                     out.add_damping(a, b, &block);

@@ -8,11 +8,13 @@ use crate::elements::{
     Shape, Viscoelastic, ViscousDamper,
 };
 use crate::error::{Error, ErrorKind, Result, require_positive_number};
+use crate::memory;
 use crate::model::{
     BoundSignal, ForceDefinition, JointCoordinate, JointDefinition, LoadPoint, Model, Parameter,
     RotorSymmetry, Signal,
 };
 use crate::workers::no_threads_unasked;
+use nalgebra::Matrix6;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -55,6 +57,20 @@ impl System {
     }
 }
 
+/// 6×6 matrices that an element takes for each pair of its nodes, at most: of its inertia, its
+/// stiffness and damping, and those that it takes however many nodes it has.
+const MATRICES_OF_PAIR: usize = 4;
+
+/// Checks that the elements of `model` are to be had.
+fn require_elements(model: &Model) -> Result<()> {
+    let beams = model.beams.iter().map(|beam| beam.nodes.len());
+    let shells = model.shells.iter().map(|shell| shell.nodes.len());
+    let bodies = model.inertias.iter().map(|_| 1);
+    let of_nodes = |count: usize| MATRICES_OF_PAIR * count * count * size_of::<Matrix6<f64>>();
+    let bytes = beams.chain(shells).chain(bodies).map(of_nodes).sum();
+    memory::require("the elements of the model", bytes)
+}
+
 /// A system on its way.
 pub(super) struct Builder<'a> {
     model: &'a Model,
@@ -82,6 +98,7 @@ impl<'a> Builder<'a> {
                 like.inertias.clone(),
             ),
             None => {
+                require_elements(model)?;
                 let beams = model.beam_elements()?;
                 let shells = model.shell_elements()?;
                 let inertias = model.inertia_elements(&beams, &shells)?;

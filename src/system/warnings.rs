@@ -303,7 +303,7 @@ fn warn_of_bodies(system: &System, warnings: &mut Vec<String>) {
     let (mut impossible, mut odd) = (Vec::new(), Vec::new());
     for inertia in &system.inertias {
         let &[node] = inertia.nodes() else { continue };
-        let m = inertia.mass();
+        let m = &inertia.row(0)[0];
         let mass = m[(0, 0)];
         if mass <= 0.0 {
             continue;

@@ -38,7 +38,7 @@ impl Collocation {
         self.vary_inertias(row, |inertia, k| {
             let [mut momenta, _] = self.momenta(inertia, k);
             let twists = self.common_twists(inertia, k, twist);
-            let by_velocities = inertia.mass() * &twists;
+            let by_velocities = inertia.times_mass(&twists);
             // An increment Δu changes the twist W by W̃ Δu.
             for a in 0..inertia.nodes().len() {
                 let turned = tilde(&twists.fixed_rows::<6>(6 * a).into_owned());

@@ -7,7 +7,7 @@ use crate::elements::line_station::{LineStation, relative_to_first};
 use crate::elements::shape::{gauss_legendre, shape_functions};
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::motion::{DualMatrix, Motion};
-use nalgebra::{DMatrix, Matrix3, Matrix6, Vector3, Vector6};
+use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 
 /// Motions relative to the first.
 fn relative(motions: &[Motion]) -> Vec<DualMatrix> {
@@ -165,7 +165,7 @@ impl Beam {
     /// that the matrix is constant and a rigid motion has exact inertia.
     pub fn inertia(&self) -> Result<Inertia> {
         let count = self.nodes.len();
-        let mut mass = DMatrix::zeros(6 * count, 6 * count);
+        let mut mass = vec![Matrix6::zeros(); count * count];
         for (xi, weight) in self.pieces(count) {
             let station = self.station(xi, weight)?;
             let section = if self.sections.is_twisted() {
@@ -185,12 +185,13 @@ impl Beam {
             for a in 0..count {
                 let left = carry[a].transpose() * own * length;
                 for (b, right) in carry.iter().enumerate() {
-                    let mut block = mass.fixed_view_mut::<6, 6>(6 * a, 6 * b);
-                    block += left * right;
+                    mass[a * count + b] += left * right;
                 }
             }
         }
-        require_finite("inertia of the beam", mass.as_slice())?;
+        for block in &mass {
+            require_finite("inertia of the beam", block.as_slice())?;
+        }
         let inertia = Inertia::consistent(self.nodes.clone(), mass, &self.reference);
         let spin = Vector6::new(0.0, 0.0, 0.0, self.spin, 0.0, 0.0);
         Ok(match self.spin == 0.0 {

@@ -5,7 +5,7 @@ use crate::elements::Inertia;
 use crate::elements::shape::gauss_legendre;
 use crate::error::{Error, Result, require_finite};
 use crate::motion::{DualMatrix, Motion, turn_of_both};
-use nalgebra::{DMatrix, Matrix3, Matrix6, Vector3};
+use nalgebra::{Matrix3, Matrix6, Vector3};
 
 impl Shell {
     /// The frames that are interpolated, for nodes at these motions.
@@ -119,7 +119,7 @@ impl Shell {
     /// If it is too large to be a number.
     pub fn inertia(&self) -> Result<Inertia> {
         let count = self.nodes.len();
-        let mut mass = DMatrix::zeros(6 * count, 6 * count);
+        let mut mass = vec![Matrix6::zeros(); count * count];
         for ((at, _), point) in self.rule().into_iter().zip(&self.points) {
             let surface = self.place(at, None)?.motion;
             let carry: Vec<Matrix6<f64>> = self
@@ -133,12 +133,13 @@ impl Shell {
             for a in 0..count {
                 let left = carry[a].transpose() * own;
                 for (b, right) in carry.iter().enumerate() {
-                    let mut block = mass.fixed_view_mut::<6, 6>(6 * a, 6 * b);
-                    block += left * right;
+                    mass[a * count + b] += left * right;
                 }
             }
         }
-        require_finite("inertia of the shell", mass.as_slice())?;
+        for block in &mass {
+            require_finite("inertia of the shell", block.as_slice())?;
+        }
         let nodes = self.nodes.clone();
         Ok(Inertia::consistent(nodes, mass, &self.reference))
     }
