@@ -1,35 +1,59 @@
-//! The circulant differentiation matrices `D` and `T`, applied densely or by FFT (docs/theory.md,
+//! The circulant differentiation matrices `D` and `T`, as dense matrices or by FFT (docs/theory.md,
 //! section 2.2).
 
-use super::grid::TimeGrid;
-use super::transform::{Complex, Plan};
-use std::f64::consts::PI;
+mod by_fft;
 
-/// Above this many grid points the FFT is used: where it was measured to overtake the dense
-/// product.
-const DENSE_LIMIT: usize = 8;
+use super::grid::TimeGrid;
+use by_fft::ByFft;
+use faer::linalg::matmul::matmul;
+use faer::{Accum, Mat, MatMut, MatRef, Par};
+use std::f64::consts::PI;
+use std::sync::Arc;
 
 /// First and second derivatives in time of grid functions.
 #[derive(Debug, Clone)]
 pub struct Differentiation {
     grid: TimeGrid,
-    /// First column of `D`: `D_ℓk = first[(ℓ − k) mod N]`.
-    first: Vec<f64>,
-    /// First column of `T`.
-    second: Vec<f64>,
-    forward: Plan,
-    backward: Plan,
-    /// `jΩ / N` and `−(jΩ)² / N` of harmonics 0, 1, and so on up to −1.
-    factors: Vec<[f64; 2]>,
-    /// Functions that are not zero everywhere.
-    active: Vec<usize>,
-    /// Pairs of functions as complex ones, and derivatives of these.
-    pairs: [Vec<Complex<f64>>; 2],
+    entries: Arc<Entries>,
+    way: Way,
 }
 
-impl Differentiation {
-    /// Operators for `grid`.
-    pub fn new(grid: TimeGrid) -> Self {
+/// First columns of the matrices: `D_ℓk = first[(ℓ − k) mod N]`, and likewise `T`.
+#[derive(Debug)]
+struct Entries {
+    first: Vec<f64>,
+    second: Vec<f64>,
+}
+
+/// How they are applied.
+#[derive(Debug, Clone)]
+enum Way {
+    /// By `Dᵀ` and `Tᵀ`, side by side.
+    Dense(Arc<Mat<f64>>),
+    Fourier(Box<ByFft>),
+}
+
+/// Most grid points of dense matrices.
+const MOST_DENSE: usize = 160;
+/// Dense matrices are faster on fewer points than so many times the sum of their prime factors.
+const DENSE: usize = 4;
+
+/// Whether the FFT takes longer than dense matrices, as it goes with the sum of the prime factors
+/// of the number of points, and these with that number.
+fn is_dense(points: usize) -> bool {
+    let (mut rest, mut sum) = (points, 0);
+    let mut factor = 2;
+    while rest > 1 {
+        match rest.is_multiple_of(factor) {
+            true => (rest, sum) = (rest / factor, sum + factor),
+            false => factor += 1,
+        }
+    }
+    points <= MOST_DENSE && points <= DENSE * sum.max(1)
+}
+
+impl Entries {
+    fn new(grid: TimeGrid) -> Self {
         let n = grid.points();
         let omega = grid.frequency();
         let size = n as f64;
@@ -45,23 +69,36 @@ impl Differentiation {
             first[m] = omega * sign * first_by / (2.0 * sin);
             second[m] = -omega * omega * sign * second_by / (2.0 * sin * sin);
         }
-        let rate = |m: usize| match m <= grid.harmonics() {
-            true => m as f64 * omega,
-            false => -((n - m) as f64) * omega,
+        Entries { first, second }
+    }
+
+    fn dense(&self) -> Mat<f64> {
+        let n = self.first.len();
+        Mat::from_fn(n, 2 * n, |k, l| match l < n {
+            true => self.first[shift(n, l, k)],
+            false => self.second[shift(n, l - n, k)],
+        })
+    }
+}
+
+#[inline]
+fn shift(points: usize, row: usize, column: usize) -> usize {
+    match row >= column {
+        true => row - column,
+        false => row + points - column,
+    }
+}
+
+impl Differentiation {
+    /// Operators for `grid`.
+    pub fn new(grid: TimeGrid) -> Self {
+        let entries = Entries::new(grid);
+        let way = match is_dense(grid.points()) {
+            true => Way::Dense(Arc::new(entries.dense())),
+            false => Way::Fourier(Box::new(ByFft::new(grid))),
         };
-        // What has a cosine alone has no slope at the points.
-        let has_slope = |m: usize| f64::from(2 * m != n);
-        let factors = (0..n).map(|m| [has_slope(m) * rate(m) / size, -rate(m) * rate(m) / size]);
-        Differentiation {
-            grid,
-            first,
-            second,
-            forward: Plan::forward(n),
-            backward: Plan::backward(n),
-            factors: factors.collect(),
-            active: Vec::new(),
-            pairs: Default::default(),
-        }
+        let entries = Arc::new(entries);
+        Differentiation { grid, entries, way }
     }
 
     /// The grid.
@@ -72,120 +109,117 @@ impl Differentiation {
     /// Entry `D_ℓk`.
     #[inline]
     pub fn first(&self, row: usize, column: usize) -> f64 {
-        self.first[self.shift(row, column)]
+        self.entries.first[shift(self.grid.points(), row, column)]
     }
 
     /// Entry `T_ℓk`.
     #[inline]
     pub fn second(&self, row: usize, column: usize) -> f64 {
-        self.second[self.shift(row, column)]
-    }
-
-    #[inline]
-    fn shift(&self, row: usize, column: usize) -> usize {
-        if row >= column {
-            row - column
-        } else {
-            row + self.grid.points() - column
-        }
+        self.entries.second[shift(self.grid.points(), row, column)]
     }
 
     /// Writes `D x` and `T x`; all three slices have one entry for each grid point.
     pub fn apply(&mut self, x: &[f64], d_x: &mut [f64], t_x: &mut [f64]) {
-        self.differentiate(1, x, [d_x, t_x]);
-    }
-
-    /// Writes `D X` and then `T X` of grid functions that have `count` values together at each grid
-    /// point, one point after the other. They should be of one size, as they share rounding.
-    pub fn apply_to_many(&mut self, count: usize, x: &[f64], derivatives: &mut [f64]) {
-        let (first, second) = derivatives.split_at_mut(count * self.grid.points());
-        self.differentiate(count, x, [first, second]);
-    }
-
-    fn differentiate(&mut self, count: usize, x: &[f64], out: [&mut [f64]; 2]) {
-        if self.grid.points() <= DENSE_LIMIT {
-            self.apply_dense(count, x, out);
-        } else {
-            self.apply_fft(count, x, out);
-        }
-    }
-
-    fn apply_dense(&self, count: usize, x: &[f64], out: [&mut [f64]; 2]) {
-        for (out, column) in out.into_iter().zip([&self.first, &self.second]) {
-            for (row, out) in out.chunks_exact_mut(count).enumerate() {
-                out.fill(0.0);
-                for (k, x) in x.chunks_exact(count).enumerate() {
-                    let entry = column[self.shift(row, k)];
-                    out.iter_mut().zip(x).for_each(|(y, x)| *y += entry * x);
+        match &mut self.way {
+            Way::Dense(matrix) => {
+                let n = self.grid.points();
+                for (out, first) in [(d_x, 0), (t_x, n)] {
+                    multiply(
+                        [1, n],
+                        x,
+                        matrix.subcols(first, n),
+                        (1.0, Accum::Replace),
+                        out,
+                    );
                 }
             }
+            Way::Fourier(by_fft) => by_fft.apply([1, 1], x, [d_x, t_x]),
         }
     }
 
-    /// Two real functions at a time, as real and imaginary part of a complex one: `D` and `T` are
-    /// real. What is zero everywhere stays so.
-    fn apply_fft(&mut self, count: usize, x: &[f64], out: [&mut [f64]; 2]) {
+    /// Writes `D X` and then `T X` of grid functions in `groups` of `count`, whose values are
+    /// together at each grid point, one point after the other. Those of a group should be of one
+    /// size, as they share rounding.
+    pub fn apply_to_many(
+        &mut self,
+        [groups, count]: [usize; 2],
+        x: &[f64],
+        derivatives: &mut [f64],
+    ) {
         let n = self.grid.points();
-        let is_active = |function: &usize| {
-            let mut values = x[*function..].iter().step_by(count);
-            values.any(|x| *x != 0.0)
-        };
-        self.active.clear();
-        self.active.extend((0..count).filter(is_active));
-        let length = n * self.active.len().div_ceil(2);
-        let [values, products] = &mut self.pairs;
-        values.resize(length, Complex::default());
-        products.resize(length, Complex::default());
-        let columns = values.chunks_exact_mut(n);
-        for (pair, column) in self.active.chunks(2).zip(columns) {
-            let points = column.iter_mut().zip(x.chunks_exact(count));
-            match *pair {
-                [a, b] => points.for_each(|(z, x)| *z = Complex::new(x[a], x[b])),
-                _ => points.for_each(|(z, x)| *z = Complex::new(x[pair[0]], 0.0)),
+        let all = groups * count;
+        match &mut self.way {
+            Way::Dense(matrix) => {
+                let once = (1.0, Accum::Replace);
+                multiply([all, n], x, Mat::as_ref(matrix), once, derivatives);
             }
-        }
-        self.forward.transform(values);
-        let columns = products.chunks_exact_mut(n).zip(values.chunks_exact_mut(n));
-        for (firsts, seconds) in columns {
-            let harmonics = firsts.iter_mut().zip(seconds).zip(&self.factors);
-            for ((first, second), factors) in harmonics {
-                *first = Complex::new(-second.im, second.re) * factors[0];
-                *second *= factors[1];
-            }
-        }
-        for (out, values) in out.into_iter().zip([products, values]) {
-            self.backward.transform(values);
-            if self.active.len() < count {
-                out.fill(0.0);
-            }
-            for (pair, column) in self.active.chunks(2).zip(values.chunks_exact(n)) {
-                let points = out.chunks_exact_mut(count).zip(column);
-                match *pair {
-                    [a, b] => points.for_each(|(y, z)| (y[a], y[b]) = (z.re, z.im)),
-                    _ => points.for_each(|(y, z)| y[pair[0]] = z.re),
-                }
+            Way::Fourier(by_fft) => {
+                let (first, second) = derivatives.split_at_mut(all * n);
+                by_fft.apply([groups, count], x, [first, second]);
             }
         }
     }
+
+    /// Writes `Dᵀ X + Tᵀ Y = T Y − D X` of such functions.
+    pub fn apply_transposed(
+        &mut self,
+        [groups, count]: [usize; 2],
+        [x, y]: [&[f64]; 2],
+        sum: &mut [f64],
+    ) {
+        let (n, all) = (self.grid.points(), groups * count);
+        match &mut self.way {
+            Way::Dense(matrix) => {
+                let (first, second) = matrix.split_at_col(n);
+                multiply([all, n], y, second, (1.0, Accum::Replace), sum);
+                multiply([all, n], x, first, (-1.0, Accum::Add), sum);
+            }
+            Way::Fourier(by_fft) => by_fft.apply_transposed([groups, count], [x, y], sum),
+        }
+    }
+}
+
+/// Multiplies functions, point by point, by a matrix for each of their `points` from the right.
+fn multiply(
+    [functions, points]: [usize; 2],
+    x: &[f64],
+    matrix: MatRef<'_, f64>,
+    (factor, accum): (f64, Accum),
+    out: &mut [f64],
+) {
+    let columns = matrix.ncols();
+    let x = MatRef::from_column_major_slice(x, functions, points);
+    let out = MatMut::from_column_major_slice_mut(out, functions, columns);
+    matmul(out, accum, x, matrix, factor, Par::Seq);
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    fn both_ways(grid: TimeGrid) -> [Differentiation; 2] {
+        let entries = Arc::new(Entries::new(grid));
+        let dense = Way::Dense(Arc::new(entries.dense()));
+        [dense, Way::Fourier(Box::new(ByFft::new(grid)))].map(|way| Differentiation {
+            grid,
+            entries: entries.clone(),
+            way,
+        })
+    }
+
     #[test]
     fn derivatives_of_resolved_harmonics_are_exact_densely_and_by_fft() {
         for points in [3, 4, 9, 12, 21, 65, 200, 201] {
             let grid = TimeGrid::even_or_odd(points, 1.7).unwrap();
-            let mut operators = Differentiation::new(grid);
+            let [mut dense, mut by_fft] = both_ways(grid);
             let omega = grid.frequency();
             for j in [0, 1, (points - 1) / 2] {
                 let rate = j as f64 * omega;
                 let x: Vec<f64> = grid.times().map(|t| (rate * t + 0.4).sin()).collect();
                 let mut buffers = [(); 4].map(|()| vec![0.0; points]);
                 let [d, t, d_fft, t_fft] = &mut buffers;
-                operators.apply_dense(1, &x, [d, t]);
-                operators.apply_fft(1, &x, [d_fft, t_fft]);
+                dense.apply(&x, d, t);
+                by_fft.apply(&x, d_fft, t_fft);
                 let largest = grid.harmonics().max(1) as f64 * omega;
                 for (k, time) in grid.times().enumerate() {
                     let (sin, cos) = (rate * time + 0.4).sin_cos();
@@ -201,38 +235,61 @@ mod tests {
 
     #[test]
     fn many_functions_have_the_derivatives_of_each_and_zeros_those_of_zeros() {
-        for (points, count) in [(3, 3), (7, 4), (8, 4), (9, 4), (20, 3), (21, 5), (21, 1)] {
+        for (points, groups, count) in [
+            (3, 1, 3),
+            (7, 1, 4),
+            (8, 2, 4),
+            (9, 1, 4),
+            (20, 2, 3),
+            (21, 3, 5),
+            (21, 1, 1),
+        ] {
             let grid = TimeGrid::even_or_odd(points, 1.7).unwrap();
-            let mut operators = Differentiation::new(grid);
-            let wave = |i: usize| match i % count {
+            let all = groups * count;
+            let wave = |i: usize| match i % all {
                 1 => 0.0,
                 _ => (0.37 * i as f64).sin() + (0.05 * (i * i) as f64).cos(),
             };
-            let x: Vec<f64> = (0..count * points).map(wave).collect();
-            let mut together = vec![f64::NAN; 2 * count * points];
-            operators.apply_to_many(count, &x, &mut together);
+            let x: Vec<f64> = (0..all * points).map(wave).collect();
+            let y: Vec<f64> = (0..all * points)
+                .map(|i| wave(i) * 0.3 - wave(i / 2))
+                .collect();
             let harmonic = grid.harmonics() as f64 * grid.frequency();
             // As that of the derivatives above.
             let tolerance = 1e-14 * points as f64 * harmonic;
-            let entries = [Differentiation::first, Differentiation::second];
-            for (order, entry) in entries.into_iter().enumerate() {
-                for (i, found) in together[order * count * points..][..count * points]
-                    .iter()
-                    .enumerate()
-                {
-                    let (row, function) = (i / count, i % count);
-                    let terms =
-                        (0..points).map(|k| (entry(&operators, row, k), x[k * count + function]));
-                    let exact: f64 = terms.map(|(entry, x)| entry * x).sum();
-                    let error = (found - exact).abs();
-                    assert!(
-                        error < tolerance * harmonic.powi(order as i32),
-                        "{points} {i}"
-                    );
-                    assert!(function != 1 || *found == 0.0);
+            for mut operators in both_ways(grid) {
+                let mut together = vec![f64::NAN; 2 * all * points];
+                operators.apply_to_many([groups, count], &x, &mut together);
+                let mut transposed = vec![f64::NAN; all * points];
+                operators.apply_transposed([groups, count], [&x, &y], &mut transposed);
+                for i in 0..all * points {
+                    let (row, function) = (i / all, i % all);
+                    let sum = |of: &[f64], entry: &dyn Fn(usize) -> f64| -> f64 {
+                        (0..points).map(|k| entry(k) * of[k * all + function]).sum()
+                    };
+                    let first = sum(&x, &|k| operators.first(row, k));
+                    let second = sum(&x, &|k| operators.second(row, k));
+                    let sums = sum(&x, &|k| operators.first(k, row))
+                        + sum(&y, &|k| operators.second(k, row));
+                    let errors = [
+                        together[i] - first,
+                        (together[all * points + i] - second) / harmonic,
+                        (transposed[i] - sums) / harmonic,
+                    ];
+                    for error in errors {
+                        assert!(error.abs() < tolerance, "{points} {i} {error:e}");
+                    }
+                    assert!(function != 1 || together[i] == 0.0);
                 }
             }
         }
+    }
+
+    #[test]
+    fn few_points_and_large_primes_are_dense() {
+        let dense = |points: &usize| is_dense(*points);
+        assert!([1, 3, 9, 21, 31, 41, 61, 127].iter().all(dense));
+        assert!(![45, 64, 81, 135, 225, 251, 1023].iter().any(dense));
     }
 
     #[test]

@@ -27,73 +27,65 @@ pub struct NodeKinematics {
     b: Vec<DualMatrix>,
 }
 
-/// Numbers of a matrix.
-const ENTRIES: usize = 9;
+/// Numbers of a matrix, of its primal and of its dual part, which are of another size.
+const ENTRIES: [usize; 2] = [2, 9];
+const ALL: usize = ENTRIES[0] * ENTRIES[1];
 
 /// Dual matrices at the grid points, and their derivatives.
 #[derive(Debug, Clone, Default)]
 struct MatrixSeries {
-    points: usize,
-    /// Of the primal parts, point by point, and of the dual parts, which are of another size.
-    samples: [Vec<f64>; 2],
+    /// Primal and then dual part, point by point.
+    samples: Vec<f64>,
     /// First derivatives and then second ones, likewise.
-    derivatives: [Vec<f64>; 2],
+    derivatives: Vec<f64>,
 }
 
 impl MatrixSeries {
     fn resize(&mut self, points: usize) {
-        self.points = points;
-        for list in &mut self.samples {
-            list.resize(ENTRIES * points, 0.0);
-        }
-        for list in &mut self.derivatives {
-            list.resize(2 * ENTRIES * points, 0.0);
-        }
+        self.samples.resize(ALL * points, 0.0);
+        self.derivatives.resize(2 * ALL * points, 0.0);
     }
 
     #[inline(always)]
     fn set(&mut self, k: usize, matrix: &DualMatrix) {
-        let parts = [&matrix.primal, &matrix.dual];
-        for (samples, part) in self.samples.iter_mut().zip(parts) {
-            samples[ENTRIES * k..][..ENTRIES].copy_from_slice(part.as_slice());
-        }
+        let samples = &mut self.samples[ALL * k..][..ALL];
+        let (primal, dual) = samples.split_at_mut(ENTRIES[1]);
+        primal.copy_from_slice(matrix.primal.as_slice());
+        dual.copy_from_slice(matrix.dual.as_slice());
     }
 
     fn differentiate(&mut self, operators: &mut Differentiation) {
-        for (samples, derivatives) in self.samples.iter().zip(&mut self.derivatives) {
-            operators.apply_to_many(ENTRIES, samples, derivatives);
-        }
+        operators.apply_to_many(ENTRIES, &self.samples, &mut self.derivatives);
     }
 
     #[inline(always)]
     fn first(&self, l: usize) -> DualMatrix {
-        self.at(l)
+        matrix_at(&self.derivatives, l)
     }
 
     #[inline(always)]
     fn second(&self, l: usize) -> DualMatrix {
-        self.at(self.points + l)
+        matrix_at(&self.derivatives[self.samples.len()..], l)
     }
+}
 
-    #[inline(always)]
-    fn at(&self, place: usize) -> DualMatrix {
-        let mut matrix = DualMatrix::zeros();
-        let parts = [&mut matrix.primal, &mut matrix.dual];
-        for (part, derivatives) in parts.into_iter().zip(&self.derivatives) {
-            let entries = &derivatives[ENTRIES * place..][..ENTRIES];
-            part.as_mut_slice().copy_from_slice(entries);
-        }
-        matrix
-    }
+#[inline(always)]
+fn matrix_at(entries: &[f64], place: usize) -> DualMatrix {
+    let (primal, dual) = entries[ALL * place..][..ALL].split_at(ENTRIES[1]);
+    let mut matrix = DualMatrix::zeros();
+    matrix.primal.as_mut_slice().copy_from_slice(primal);
+    matrix.dual.as_mut_slice().copy_from_slice(dual);
+    matrix
 }
 
 /// Scratch of [`NodeKinematics`].
 #[derive(Debug, Clone, Default)]
 pub struct KinematicsScratch {
     series: MatrixSeries,
+    /// The same of what a transposed variation has beside that.
+    other: MatrixSeries,
     by_a: Vec<DualMatrix>,
     by_b: Vec<DualMatrix>,
-    sums: Vec<DualMatrix>,
 }
 
 impl NodeKinematics {
@@ -234,29 +226,26 @@ impl NodeKinematics {
     ) {
         let KinematicsScratch {
             series,
+            other,
             by_a,
             by_b,
-            sums,
         } = scratch;
         series.resize(self.motions.len());
+        other.resize(self.motions.len());
         by_a.clear();
         by_b.clear();
-        sums.clear();
         for (l, [by_velocity, by_acceleration]) in by_rates.iter().enumerate() {
             let q = DualVector::from_wrench(by_acceleration);
             let p = DualVector::from_wrench(by_velocity) - self.a[l].trace_minus_transpose() * q;
             by_b.push(q.skew());
             by_a.push(p.skew() + self.velocity(l).skew() * by_b[l] * 2.0);
             series.set(l, &(self.motion(l) * by_a[l]));
+            other.set(l, &(self.motion(l) * by_b[l]));
         }
-        series.differentiate(operators);
-        sums.extend((0..self.motions.len()).map(|k| series.first(k)));
-        for (l, by_b) in by_b.iter().enumerate() {
-            series.set(l, &(self.motion(l) * *by_b));
-        }
-        series.differentiate(operators);
+        let sums = &mut series.derivatives[..ALL * self.motions.len()];
+        operators.apply_transposed(ENTRIES, [&series.samples, &other.samples], sums);
         for (k, out) in out.chunks_exact_mut(6).enumerate() {
-            let sum = self.motion(k).tr_mul(&(series.second(k) - sums[k]))
+            let sum = self.motion(k).tr_mul(&matrix_at(sums, k))
                 - by_a[k] * self.a[k].transpose()
                 - by_b[k] * self.b[k].transpose();
             let wrench = sum.axial().to_wrench();

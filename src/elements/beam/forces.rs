@@ -35,8 +35,11 @@ impl Scratch {
     /// Begins anew with the nodes at `states`.
     pub(super) fn begin(&mut self, states: &[NodeState]) {
         self.relative.clear();
-        let motions = states.iter().map(|state| &state.motion);
-        self.relative.extend(relative_to_first(motions));
+        // Two nodes have their own, see [`TwoNodes`].
+        if states.len() > 2 {
+            let motions = states.iter().map(|state| &state.motion);
+            self.relative.extend(relative_to_first(motions));
+        }
         self.motions.clear();
         self.strains.clear();
         self.rates.clear();
@@ -241,7 +244,11 @@ impl Beam {
         for station in &self.stations {
             let (e, rate) = if let [first, second] = states {
                 let between = TwoNodes::new([first, second])?;
-                (between.e, between.strain_rate(twists_of_two(states)))
+                let rate = match has_rates {
+                    true => between.strain_rate(twists_of_two(states)),
+                    false => DualVector::zeros(),
+                };
+                (between.e, rate)
             } else if has_rates {
                 scratch.forget_station();
                 let at = scratch.add_places(station)?;

@@ -92,6 +92,7 @@ impl Slender {
             parts: Parts::AsTheyAre,
             iteration_limit: MOST,
             restart: MOST,
+            is_verified: true,
         };
         let mut operator = Operator {
             equations,

@@ -24,6 +24,8 @@ impl<L: LinearSolver> Bordered<L> {
             parts: Parts::AsTheyAre,
             iteration_limit: ITERATION_LIMIT,
             restart: ITERATION_LIMIT,
+            // Rounding in factors with borders, which are regular, shows no earlier than in them.
+            is_verified: !self.with_borders,
         };
         let mut whole = Whole {
             tangent: &mut self.tangent,

@@ -206,6 +206,7 @@ fn iterated(motions: usize, unknowns: usize) -> GmresOptions {
         parts: Parts::AsTheyAre,
         iteration_limit: ITERATION_LIMIT,
         restart: ITERATION_LIMIT,
+        is_verified: true,
     }
 }
 

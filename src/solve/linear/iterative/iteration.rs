@@ -136,6 +136,7 @@ impl Iterative {
             restart: (KEPT / size_of_val(unknowns))
                 .saturating_sub(kept)
                 .clamp(RESTART, self.limit.max(RESTART)),
+            is_verified: accuracy < self.verified,
         };
         let mut operator = Operator {
             equations,
@@ -147,6 +148,9 @@ impl Iterative {
         };
         let (workers, workspace) = (equations.workers(), &mut self.workspace);
         let end = gmres(&mut operator, unknowns, &options, workers, workspace)?;
+        if options.is_verified && end.error <= accuracy {
+            self.verified = self.verified.min(end.error);
+        }
         self.record.products.push(end.iterations);
         self.count_bytes(kept + end.iterations.min(options.restart), unknowns.len());
         Ok(Some(end))

@@ -126,6 +126,7 @@ mod tests {
             parts: Parts::Balanced,
             iteration_limit: 200,
             restart: 200,
+            is_verified: true,
         };
         let end = gmres(&mut operator, &mut x, &options, &workers, workspace).unwrap();
         assert!(end.error <= 1e-8, "{end:?}");

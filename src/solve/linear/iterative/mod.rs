@@ -141,6 +141,9 @@ pub(crate) struct Iterative {
     eliminated: Option<Eliminated>,
     /// Products of the first solve with the factors.
     first_products: Option<usize>,
+    /// Smallest error that was found by a product at the end of a solve, with these factors and
+    /// this Jacobian: that of rounding is no larger.
+    verified: f64,
     /// Products that a solve may take.
     limit: usize,
     workspace: GmresWorkspace,
@@ -173,6 +176,7 @@ impl Iterative {
             is_scaled: false,
             eliminated: None,
             first_products: None,
+            verified: f64::INFINITY,
             limit: ITERATION_LIMIT,
             workspace: GmresWorkspace::default(),
             learnt: None,
@@ -207,6 +211,7 @@ impl Iterative {
         self.factors = None;
         (self.transposed, self.transposed_with) = (None, 0);
         (self.first_products, self.learnt) = (None, None);
+        self.verified = f64::INFINITY;
         self.is_scaled = false;
         self.eliminated = None;
         self.growth = None;
@@ -285,6 +290,7 @@ impl Iterative {
             self.tangent.evaluate(equations, state)
         })?;
         self.is_old = true;
+        self.verified = f64::INFINITY;
         self.growth = None;
         (self.transposed, self.transposed_with) = (None, 0);
         self.eliminated = None;

@@ -119,6 +119,7 @@ impl<L: LinearSolver> LinearSolver for Projected<L> {
             parts: Parts::AsTheyAre,
             iteration_limit: ITERATION_LIMIT,
             restart: ITERATION_LIMIT,
+            is_verified: true,
         };
         let of_grid = (equations, &mut self.sampled);
         let workspace = &mut self.workspace;

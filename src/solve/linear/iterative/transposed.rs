@@ -120,6 +120,8 @@ impl Iterative {
             essential: unknowns.len(),
             parts: Parts::AsTheyAre,
             restart: (KEPT / size_of_val(&unknowns[..])).clamp(RESTART, most.max(RESTART)),
+            // Who asks for it refines it by the residual.
+            is_verified: false,
         };
         let mut operator = Operator {
             equations,
