@@ -103,8 +103,10 @@ fn place_of(system: &System, role: ElementRole) -> Result<usize> {
     })
 }
 
-/// Steps in which an angle is followed from one grid point to the next.
+/// Steps in which an angle is followed from one grid point to the next, where it may turn between
+/// them: where it changes by more than so much from any to its next.
 const FOLLOWING_STEPS: usize = 4;
+const LITTLE_TURN: f64 = 0.5;
 
 /// A joint coordinate, or its derivative in time of some order.
 #[derive(Debug)]
@@ -142,18 +144,28 @@ impl CoordinateProbe {
         let joint = self.joint(history);
         let points = grid.points();
         let value = |k: usize| self.value(joint, &history.nodes_of(joint, k));
+        let found: Vec<f64> = (0..points).map(value).collect();
         if !joint.kind().leaves_turns_open(self.at.coordinate) {
-            return ((0..points).map(value).collect(), 0.0);
+            return (found, 0.0);
         }
-        let mut angle = nearest_turn(value(0), self.start(history));
+        let mut angle = nearest_turn(found[0], self.start(history));
         let mut values = vec![angle];
+        let next = found.iter().cycle().skip(1);
+        let changes = found
+            .iter()
+            .zip(next)
+            .map(|(x, y)| nearest_turn(*y, *x) - x);
+        let steps = match changes.map(f64::abs).all(|change| change <= LITTLE_TURN) {
+            true => 1,
+            false => FOLLOWING_STEPS,
+        };
         // In small steps where motions can be interpolated, so that no turn is missed.
         let of_node = |&node: &usize| PeriodicMotion::new(history.state.node(node));
         let motions: Vec<PeriodicMotion> = joint.nodes().iter().map(of_node).collect();
         let mut weights = CardinalWeights::new(grid);
         for k in 1..=points {
-            for step in 1..FOLLOWING_STEPS {
-                let fraction = step as f64 / FOLLOWING_STEPS as f64;
+            for step in 1..steps {
+                let fraction = step as f64 / steps as f64;
                 weights.move_to(grid.at(((k - 1) as f64 + fraction) / points as f64));
                 let at_rest = |motion: &PeriodicMotion| {
                     let motion = motion.motion_at(&weights);
@@ -164,7 +176,7 @@ impl CoordinateProbe {
                     angle = nearest_turn(self.value(joint, &states), angle);
                 }
             }
-            angle = nearest_turn(value(k % points), angle);
+            angle = nearest_turn(found[k % points], angle);
             if k < points {
                 values.push(angle);
             }

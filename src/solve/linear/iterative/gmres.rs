@@ -202,7 +202,7 @@ impl<P: Preconditioned> Run<'_, P> {
             options,
             ..
         } = self;
-        let GmresWorkspace { basis, b, rest, .. } = &mut *self.workspace;
+        let GmresWorkspace { basis, rest, .. } = &mut *self.workspace;
         let (size, found) = (x.len(), vectors.norm(x));
         let products = (options.restart).min(options.iteration_limit - self.end.iterations);
         basis.resize(size, 0.0);
@@ -254,13 +254,22 @@ impl<P: Preconditioned> Run<'_, P> {
             }
         }
         vectors.add(x, basis, &least.solve());
-        if !options.is_verified && self.end.error <= options.tolerance {
-            let left = least.rest();
-            self.workspace.found = Some((least, vectors.ends, vectors.weights));
-            return Some(left);
-        }
-        // What rounding in the preconditioner leaves, nearly singular as it may be, shows in the
-        // residual only.
+        let left = match options.is_verified || self.end.error > options.tolerance {
+            true => self.verify(x, &least),
+            false => least.rest(),
+        };
+        let Vectors { ends, weights, .. } = self.vectors;
+        self.workspace.found = Some((least, ends, weights));
+        Some(left)
+    }
+
+    /// Finds the size of what is left of `x` by another product: what rounding in the
+    /// preconditioner, nearly singular as it may be, leaves shows in the residual only.
+    fn verify(&mut self, x: &mut [f64], least: &LeastSquares) -> f64 {
+        let Run {
+            operator, vectors, ..
+        } = self;
+        let GmresWorkspace { b, rest, .. } = &mut *self.workspace;
         operator.product(x, rest);
         vectors.sums(rest, 1, |first, r, _| {
             let b = &b[first..][..r.len()];
@@ -274,8 +283,7 @@ impl<P: Preconditioned> Run<'_, P> {
         } else {
             1.0
         };
-        self.workspace.found = Some((least, vectors.ends, vectors.weights));
-        Some(left)
+        left
     }
 }
 
