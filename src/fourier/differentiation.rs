@@ -41,6 +41,9 @@ const DENSE: usize = 4;
 /// Whether the FFT takes longer than dense matrices, as it goes with the sum of the prime factors
 /// of the number of points, and these with that number.
 fn is_dense(points: usize) -> bool {
+    if points > MOST_DENSE {
+        return false;
+    }
     let (mut rest, mut sum) = (points, 0);
     let mut factor = 2;
     while rest > 1 {
@@ -49,7 +52,7 @@ fn is_dense(points: usize) -> bool {
             false => factor += 1,
         }
     }
-    points <= MOST_DENSE && points <= DENSE * sum.max(1)
+    points <= DENSE * sum.max(1)
 }
 
 impl Entries {

@@ -27,7 +27,7 @@ pub struct NodeKinematics {
     b: Vec<DualMatrix>,
 }
 
-/// Numbers of a matrix, of its primal and of its dual part, which are of another size.
+/// Parts of a matrix, primal and dual, which are of another size, and the numbers of each.
 const ENTRIES: [usize; 2] = [2, 9];
 const ALL: usize = ENTRIES[0] * ENTRIES[1];
 

@@ -24,7 +24,7 @@ impl<L: LinearSolver> Bordered<L> {
             parts: Parts::AsTheyAre,
             iteration_limit: ITERATION_LIMIT,
             restart: ITERATION_LIMIT,
-            // Rounding in factors with borders, which are regular, shows no earlier than in them.
+            // Factors with borders are regular: their rounding does not count.
             is_verified: !self.with_borders,
         };
         let mut whole = Whole {

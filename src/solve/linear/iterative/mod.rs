@@ -318,6 +318,7 @@ impl Iterative {
         let solved = self.solve(equations, &mut probe, ROUGH, &mut timings);
         // What this one is like says nothing of others.
         (self.is_scaled, self.first_products) = (false, None);
+        self.verified = f64::INFINITY;
         match solved {
             Ok(true) => largest(&probe) * product,
             _ => f64::INFINITY,
