@@ -5,7 +5,6 @@
 
 use crate::error::{Error, ErrorKind, Result};
 use crate::work::Work;
-use rayon::iter::{IntoParallelRefMutIterator, ParallelIterator};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::fmt;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -64,14 +63,14 @@ const SHARES: usize = 8;
 pub trait Pulse: Send + Sync {
     /// Work goes on. Does nothing on other threads than the one that is to tell.
     fn beat(&self);
-    /// Whether this is the thread that tells.
-    fn is_here(&self) -> bool;
     /// Whether work is to end.
     fn is_stopped(&self) -> bool;
 }
 
 /// How often the thread that waits for others tells that they go on.
 const WAIT: Duration = Duration::from_millis(50);
+/// Looks at whether others have ended before a thread sleeps: some ten microseconds.
+const LOOKS: usize = 1000;
 
 /// One thread, or several, and who is told that they work.
 #[derive(Clone, Default)]
@@ -87,16 +86,64 @@ impl fmt::Debug for Workers {
     }
 }
 
-/// Tells, when it is dropped, that work has ended, in whatever way.
-struct Finish<'a>(&'a Mutex<bool>, &'a Condvar);
+/// Threads that work.
+struct Running {
+    left: AtomicUsize,
+    lock: Mutex<()>,
+    changed: Condvar,
+}
 
-impl Drop for Finish<'_> {
+/// Tells, when it is dropped, that a thread has ended its work, in whatever way.
+struct End<'a>(&'a Running);
+
+impl Drop for End<'_> {
     fn drop(&mut self) {
-        if let Ok(mut ended) = self.0.lock() {
-            *ended = true;
-        }
-        self.1.notify_one();
+        let _guard = self.0.lock.lock();
+        self.0.left.fetch_sub(1, Ordering::Release);
+        self.0.changed.notify_one();
     }
+}
+
+impl Running {
+    fn new(threads: usize) -> Self {
+        Running {
+            left: AtomicUsize::new(threads),
+            lock: Mutex::new(()),
+            changed: Condvar::new(),
+        }
+    }
+
+    /// What the thread drops at its end.
+    fn end(&self) -> End<'_> {
+        End(self)
+    }
+
+    fn are_left(&self) -> bool {
+        self.left.load(Ordering::Acquire) > 0
+    }
+
+    /// Waits for their ends, first without sleep, as that takes longer than most waits.
+    fn have_ended(&self, longest: Duration) -> bool {
+        for _ in 0..LOOKS {
+            if !self.are_left() {
+                return true;
+            }
+            std::hint::spin_loop();
+        }
+        match self.lock.lock() {
+            Ok(guard) => {
+                let waited =
+                    (self.changed).wait_timeout_while(guard, longest, |()| self.are_left());
+                waited.is_ok_and(|(_guard, _)| !self.are_left())
+            }
+            Err(_) => !self.are_left(),
+        }
+    }
+}
+
+/// Whether the calling thread is one of the pool's.
+fn is_in(pool: &ThreadPool) -> bool {
+    pool.current_thread_index().is_some()
 }
 
 impl Workers {
@@ -153,33 +200,68 @@ impl Workers {
         self.pulse.as_ref().is_some_and(|pulse| pulse.is_stopped())
     }
 
+    /// Tells that work goes on, if someone is to be told.
+    fn beat(&self) {
+        if let Some(pulse) = &self.pulse {
+            pulse.beat();
+        }
+    }
+
     /// Does something by the threads of the pool, and tells meanwhile that they work.
     fn install<R: Send>(&self, pool: &ThreadPool, work: impl FnOnce() -> R + Send) -> R {
-        let Some(pulse) = self.pulse.as_ref().filter(|pulse| pulse.is_here()) else {
-            return pool.install(work);
-        };
-        let (ended, changed) = (Mutex::new(false), Condvar::new());
+        if is_in(pool) {
+            return work();
+        }
+        let running = Running::new(1);
         let result = Mutex::new(None);
         pool.in_place_scope(|scope| {
             scope.spawn(|_| {
-                let _finish = Finish(&ended, &changed);
+                let _end = running.end();
                 let found = work();
                 if let Ok(mut result) = result.lock() {
                     *result = Some(found);
                 }
             });
-            while let Ok(guard) = ended.lock()
-                && let Ok((guard, _)) = changed.wait_timeout_while(guard, WAIT, |ended| !*ended)
-                && !*guard
-            {
-                drop(guard);
-                pulse.beat();
-            }
+            self.wait_for(&running);
         });
         // A panic of the work has been passed on by the scope.
         match result.into_inner() {
             Ok(Some(found)) => found,
             _ => unreachable!("work that has ended has a result"),
+        }
+    }
+
+    /// Does the same with each workspace: this thread begins with the first at once, threads of the
+    /// pool come with the others.
+    fn together<S: Send>(
+        &self,
+        pool: &ThreadPool,
+        workspaces: &mut [S],
+        work: &(impl Fn(&mut S) + Sync),
+    ) {
+        let Some((own, others)) = workspaces.split_first_mut() else {
+            return;
+        };
+        let running = Running::new(others.len());
+        pool.in_place_scope(|scope| {
+            for other in others {
+                scope.spawn(|_| {
+                    let _end = running.end();
+                    work(other);
+                });
+            }
+            work(own);
+            // Those of the pool take what others have not begun meanwhile.
+            if !is_in(pool) {
+                self.wait_for(&running);
+            }
+        });
+    }
+
+    /// Waits for the others, and tells meanwhile that they work.
+    fn wait_for(&self, running: &Running) {
+        while !running.have_ended(WAIT) {
+            self.beat();
         }
     }
 
@@ -241,22 +323,19 @@ impl Workers {
                 let length = items.len().div_ceil(SHARES * threads);
                 let left = Mutex::new(items.chunks_mut(length).enumerate());
                 let next = || left.lock().ok().and_then(|mut left| left.next());
-                self.install(pool, || {
-                    workspaces[..threads].par_iter_mut().for_each(|workspace| {
-                        while let Some((part, items)) = next() {
-                            for (i, item) in items.iter_mut().enumerate() {
-                                work(workspace, part * length + i, item);
-                            }
+                self.together(pool, &mut workspaces[..threads], &|workspace| {
+                    while let Some((part, items)) = next() {
+                        for (i, item) in items.iter_mut().enumerate() {
+                            work(workspace, part * length + i, item);
                         }
-                    });
+                        self.beat();
+                    }
                 });
             }
             _ => {
                 for (i, item) in items.iter_mut().enumerate() {
                     work(&mut workspaces[0], i, item);
-                    if let Some(pulse) = &self.pulse {
-                        pulse.beat();
-                    }
+                    self.beat();
                 }
             }
         }

@@ -154,7 +154,7 @@ impl Told {
 
 impl Pulse for Told {
     fn beat(&self) {
-        if !self.is_here() || self.is_stopped() {
+        if thread::current().id() != self.caller || self.is_stopped() {
             return;
         }
         let elapsed = self.began.elapsed();
@@ -162,10 +162,6 @@ impl Pulse for Told {
         if elapsed.saturating_sub(last) >= self.watched.interval {
             self.call(elapsed);
         }
-    }
-
-    fn is_here(&self) -> bool {
-        thread::current().id() == self.caller
     }
 
     fn is_stopped(&self) -> bool {

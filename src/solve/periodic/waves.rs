@@ -104,6 +104,14 @@ impl<'a> Waves<'a> {
         self.newton.response_of_wave(&mut rows)
     }
 
+    /// Motions by what is left out of the equations of the elements after grid point `k`, as a wave
+    /// about the point looked at last.
+    fn response_of_own(&mut self, defect: &Defect, k: usize) -> Result<Option<f64>> {
+        let mut rows = defect.left_out(&self.newton.equations, k);
+        rows[self.newton.equations.layout().motions()].fill(0.0);
+        self.newton.response_of_wave(&mut rows)
+    }
+
     /// Motions by what is left out of the equations, as a wave next above the harmonics of the
     /// grid, at the worst points; and, where the error would otherwise be accepted, what harmonics
     /// further up add, as one of them may resound.
@@ -118,9 +126,17 @@ impl<'a> Waves<'a> {
         let points = self.state.points();
         let first = points / 2 + 1;
         let [force, own] = defect.worst(&self.newton.equations);
-        let mut most = 0.0f64;
-        for k in std::iter::once(force).chain((own != force).then_some(own)) {
-            let Some(response) = self.response(defect, first, k)? else {
+        let Some(mut most) = self.response(defect, first, force)? else {
+            return Ok(None);
+        };
+        // Turned into motions by the equations at the other point, too rough to add, but telling
+        // whether it may count.
+        if own != force
+            && self
+                .response_of_own(defect, own)?
+                .is_none_or(|x| x > SLIGHT * most)
+        {
+            let Some(response) = self.response(defect, first, own)? else {
                 return Ok(None);
             };
             most = most.max(response);
