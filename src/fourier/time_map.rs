@@ -76,25 +76,46 @@ struct Kernel {
     width: f64,
     /// `A_k`.
     share: f64,
+    /// `tanh(w_k / 2)`.
+    tangent: f64,
+    /// Integral from the middle to time zero.
+    start: f64,
 }
 
 impl Kernel {
-    /// Integral of the kernel from its middle, which counts turns.
-    fn integral(&self, y: f64) -> f64 {
-        let turns = (y / TAU).round();
-        let half = 0.5 * (y - TAU * turns);
-        let (sine, cosine) = half.sin_cos();
-        TAU * turns + 2.0 * sine.atan2((0.5 * self.width).tanh() * cosine)
+    fn new(phase: f64, width: f64, share: f64) -> Self {
+        let tangent = (0.5 * width).tanh();
+        let mut kernel = Kernel {
+            phase,
+            width,
+            share,
+            tangent,
+            start: 0.0,
+        };
+        kernel.start = kernel.rise(0.0)[0];
+        kernel
     }
 
-    /// The kernel and its first two derivatives.
-    fn derivatives(&self, y: f64) -> [f64; 3] {
-        let narrow = (0.5 * self.width).sinh().powi(2);
-        let spread = narrow + (0.5 * y).sin().powi(2);
-        let (sine, cosine) = y.sin_cos();
-        let value = 0.5 * self.width.sinh() / spread;
-        let slope = -0.5 * sine / spread;
-        let bend = (0.5 * sine * sine / spread - 0.5 * cosine) / spread;
+    /// Integral of the kernel from time zero to `x`, which counts turns, and the kernel there.
+    fn rise(&self, x: f64) -> [f64; 2] {
+        let y = x - self.phase;
+        let turns = (y / TAU).round();
+        let (sine, cosine) = (0.5 * (y - TAU * turns)).sin_cos();
+        let flat = self.tangent * cosine;
+        let integral = TAU * turns + 2.0 * sine.atan2(flat);
+        let value = self.tangent / (sine * sine + flat * flat);
+        [integral - self.start, value]
+    }
+
+    /// The kernel at `x`, and its first two derivatives.
+    fn derivatives(&self, x: f64) -> [f64; 3] {
+        let (sine, cosine) = (0.5 * (x - self.phase)).sin_cos();
+        let flat = self.tangent * cosine;
+        let spread = sine * sine + flat * flat;
+        let steep = (1.0 - self.tangent * self.tangent) / spread;
+        let value = self.tangent / spread;
+        let slope = -sine * cosine * steep;
+        let bend = 2.0 * slope * slope - 0.5 * (cosine - sine) * (cosine + sine) * steep;
         [value, value * slope, value * bend]
     }
 }
@@ -141,11 +162,8 @@ impl TimeMap {
                 return invalid("share", expected, event.share);
             }
             let turns = event.time / period;
-            map.kernels[i] = Kernel {
-                phase: TAU * (turns - turns.floor()),
-                width: TAU * width,
-                share: event.share,
-            };
+            let phase = TAU * (turns - turns.floor());
+            map.kernels[i] = Kernel::new(phase, TAU * width, event.share);
             map.count = i + 1;
         }
         Ok(map)
@@ -194,13 +212,18 @@ impl TimeMap {
             return time;
         }
         let turns = time.floor();
-        turns + self.phase_of(TAU * (time - turns)) / TAU
+        turns + self.phase_of(TAU * (time - turns))[0] / TAU
     }
 
-    /// `σ(x)`, which vanishes at 0.
-    fn phase_of(&self, x: f64) -> f64 {
-        let rise = |k: &Kernel| k.share * (k.integral(x - k.phase) - k.integral(-k.phase));
-        (x + self.kernels().iter().map(rise).sum::<f64>()) / self.weight()
+    /// `σ(x)`, which vanishes at 0, and its slope.
+    fn phase_of(&self, x: f64) -> [f64; 2] {
+        let mut sums = [x, 1.0];
+        for kernel in self.kernels() {
+            let rise = kernel.rise(x);
+            sums[0] += kernel.share * rise[0];
+            sums[1] += kernel.share * rise[1];
+        }
+        sums.map(|sum| sum / self.weight())
     }
 
     /// First to third derivatives of pseudo-time by time, at a time.
@@ -214,7 +237,7 @@ impl TimeMap {
     fn derivatives_at(&self, x: f64) -> [f64; 3] {
         let mut sums = [1.0, 0.0, 0.0];
         for kernel in self.kernels() {
-            let all = kernel.derivatives(x - kernel.phase);
+            let all = kernel.derivatives(x);
             for (sum, value) in sums.iter_mut().zip(all) {
                 *sum += kernel.share * value;
             }
@@ -243,7 +266,7 @@ impl TimeMap {
         let step = TAU / points as f64;
         let mut before = 0.0;
         let time = |pseudo: f64| {
-            let guess = before + step / self.derivatives_at(before)[0];
+            let guess = before + step / self.phase_of(before)[1];
             before = self.phase_at(TAU * pseudo, (before, guess));
             before / TAU
         };
@@ -264,23 +287,25 @@ impl TimeMap {
         }
         let mut high = TAU;
         let mut x = guess.clamp(low, high);
+        // What a step of Newton's method leaves is at most its square over four of the least
+        // `tanh(w/2)`, as `|σ''| ≤ σ' / (2 tanh(w/2))`.
+        let tangents = self.kernels().iter().map(|kernel| kernel.tangent);
+        let narrowest = tangents.fold(1.0, f64::min);
         for _ in 0..MOST_STEPS {
-            let error = self.phase_of(x) - sigma;
+            let [phase, slope] = self.phase_of(x);
+            let error = phase - sigma;
             if error > 0.0 {
                 high = x;
             } else {
                 low = x;
             }
-            let step = error / self.derivatives_at(x)[0];
-            let next = x - step;
-            let next = if (low..=high).contains(&next) {
-                next
-            } else {
-                0.5 * (low + high)
-            };
+            let next = x - error / slope;
+            let is_newton = (low..=high).contains(&next);
+            let next = if is_newton { next } else { 0.5 * (low + high) };
             let moved = (next - x).abs();
             x = next;
-            if moved <= f64::EPSILON * PI {
+            let left = moved * moved / (4.0 * narrowest);
+            if moved <= f64::EPSILON * PI || (is_newton && left <= 0.1 * f64::EPSILON) {
                 break;
             }
         }
