@@ -9,10 +9,10 @@ use crate::error::Result;
 const TANGENT: [f64; 2] = [1e-9, 1e-12];
 /// Accuracy of a tangent that is guessed, once enough is added to it, and how often that is done at
 /// most.
-const ENOUGH: f64 = 1e-6;
+const ENOUGH: f64 = 1e-8;
 const MOST_ADDED: usize = 3;
 /// Accuracy of what is added: enough of as much as was added to the last tangent, within bounds.
-const ADDED: [f64; 2] = [1e-6, 1e-2];
+const ADDED: [f64; 2] = [1e-8, 1e-2];
 
 impl Walk<'_> {
     /// The first tangent, at a solution where the parameter was given; none if the branch does not
