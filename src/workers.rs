@@ -113,11 +113,6 @@ impl Running {
         }
     }
 
-    /// What the thread drops at its end.
-    fn end(&self) -> End<'_> {
-        End(self)
-    }
-
     fn are_left(&self) -> bool {
         self.left.load(Ordering::Acquire) > 0
     }
@@ -207,26 +202,33 @@ impl Workers {
         }
     }
 
-    /// Does something by the threads of the pool, and tells meanwhile that they work.
-    fn install<R: Send>(&self, pool: &ThreadPool, work: impl FnOnce() -> R + Send) -> R {
-        if is_in(pool) {
-            return work();
-        }
+    /// Does one thing on this thread and another on one of the pool, if there is one, and tells
+    /// meanwhile that it works.
+    pub fn both<A, B: Send>(
+        &self,
+        own: impl FnOnce() -> A,
+        other: impl FnOnce() -> B + Send,
+    ) -> (A, B) {
+        let Some(pool) = self.pool().filter(|pool| !is_in(pool)) else {
+            return (own(), other());
+        };
         let running = Running::new(1);
         let result = Mutex::new(None);
-        pool.in_place_scope(|scope| {
+        let found = pool.in_place_scope(|scope| {
             scope.spawn(|_| {
-                let _end = running.end();
-                let found = work();
+                let _end = End(&running);
+                let found = other();
                 if let Ok(mut result) = result.lock() {
                     *result = Some(found);
                 }
             });
+            let found = own();
             self.wait_for(&running);
+            found
         });
-        // A panic of the work has been passed on by the scope.
+        // A panic of the other has been passed on by the scope.
         match result.into_inner() {
-            Ok(Some(found)) => found,
+            Ok(Some(other)) => (found, other),
             _ => unreachable!("work that has ended has a result"),
         }
     }
@@ -246,7 +248,7 @@ impl Workers {
         pool.in_place_scope(|scope| {
             for other in others {
                 scope.spawn(|_| {
-                    let _end = running.end();
+                    let _end = End(&running);
                     work(other);
                 });
             }
@@ -294,7 +296,7 @@ impl Workers {
     /// Does something with faer, by these threads.
     pub fn dense<R: Send>(&self, work: impl FnOnce(faer::Par) -> R + Send) -> R {
         match self.pool() {
-            Some(pool) => self.install(pool, || work(faer::Par::rayon(0))),
+            Some(_) => self.both(|| (), || work(faer::Par::rayon(0))).1,
             None => work(faer::Par::Seq),
         }
     }

@@ -499,6 +499,39 @@ fn a_small_response_is_resolved_relative_to_its_amplitude() {
     assert!(size < 3e-6 && coarse > 1e-2 && fine < 1e-6);
 }
 
+/// Grids on the way are solved less accurately than the last.
+#[test]
+fn the_last_grid_is_solved_as_accurately_as_one_that_is_given() {
+    let (mut refined, observe) = (0, &mut |_, _: &_| true);
+    for seed in 1..=10 {
+        let case = case(seed);
+        for error_tolerance in [1e-2, 1e-4] {
+            let options = PeriodicOptions {
+                grid_points: GridPoints::Adaptive(Adaptation {
+                    error_tolerance,
+                    largest: 201,
+                    ..Adaptation::default()
+                }),
+                time_map: TimeMapping::Equispaced,
+                ..PeriodicOptions::default()
+            };
+            let found = Solution::solve(&case.model, case.period, &options, observe).unwrap();
+            assert!(found.outcome().is_solution(), "{seed} {}", case.name);
+            let grids = &found.details().periodic().unwrap().grids;
+            refined += usize::from(grids.len() > 1);
+            let again = PeriodicOptions {
+                guess: InitialGuess::State(found.details().state.clone()),
+                ..PeriodicOptions::with_grid_points(found.grid().points())
+            };
+            let again = Solution::solve(&case.model, case.period, &again, observe).unwrap();
+            let left = again.details().report.iterations[0].increment;
+            let name = case.name;
+            assert!(left <= options.newton.tolerance, "{seed} {name}: {left:e}");
+        }
+    }
+    assert!(refined > 3, "{refined}");
+}
+
 #[test]
 fn a_function_that_is_not_one_is_told() {
     let (mut model, at) = mass_on_a_slide(1.0, &Vector3::x());

@@ -7,6 +7,9 @@ use super::transform::{Analysis, Complex, Synthesis};
 use crate::error::Result;
 use std::f64::consts::TAU;
 
+/// Points at which series are summed together: one sum waits for its last multiplication.
+const TOGETHER: usize = 8;
+
 /// The trigonometric polynomial through values on a grid, and its derivatives, at the points of
 /// another grid, which may begin later. All is in the pseudo-time of the grid where that is mapped.
 #[derive(Debug, Clone)]
@@ -169,11 +172,20 @@ impl Resampling {
         let harmonics = first..self.shift.len();
         let spectrum = &self.analysis.spectrum;
         let coefficients: Vec<_> = harmonics.map(|j| spectrum[j] * factor(j)).collect();
-        for (out, place) in out.iter_mut().zip(apart) {
-            let z = Complex::cis(TAU * (place - place.floor()));
-            let sum = coefficients.iter().rev();
-            let sum = sum.fold(Complex::<f64>::default(), |sum, c| sum * z + c);
-            *out = (sum * z.powu(first as u32)).re;
+        for (out, places) in out.chunks_mut(TOGETHER).zip(apart.chunks(TOGETHER)) {
+            let mut z = [Complex::default(); TOGETHER];
+            for (z, place) in z.iter_mut().zip(places) {
+                *z = Complex::cis(TAU * (place - place.floor()));
+            }
+            let mut sums = [Complex::<f64>::default(); TOGETHER];
+            for c in coefficients.iter().rev() {
+                for (sum, z) in sums.iter_mut().zip(&z) {
+                    *sum = *sum * z + c;
+                }
+            }
+            for ((out, sum), z) in out.iter_mut().zip(sums).zip(z) {
+                *out = (sum * z.powu(first as u32)).re;
+            }
         }
     }
 }

@@ -228,6 +228,15 @@ impl System {
         }
     }
 
+    /// Those of `workers` that may look at different times at once: signals too may be functions of
+    /// the user.
+    pub(crate) fn time_workers(&self, workers: &Workers) -> Workers {
+        match self.signals.iter().any(DrivenSignal::is_function) {
+            true => workers.alone(),
+            false => self.element_workers(workers),
+        }
+    }
+
     /// Whether forces come from functions of the user.
     pub fn calls_functions(&self) -> bool {
         self.calls_functions

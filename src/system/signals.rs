@@ -20,6 +20,11 @@ pub(super) struct DrivenSignal {
 }
 
 impl DrivenSignal {
+    /// Whether a function of the user gives it.
+    pub fn is_function(&self) -> bool {
+        matches!(self.signal, BoundSignal::Function(_))
+    }
+
     /// Its value under all loads.
     fn value(&self, time: f64) -> Result<f64> {
         let value = (self.signal.value(time)).map_err(|e| e.within(&self.place))?;
@@ -111,6 +116,21 @@ impl System {
             };
         }
         Ok(())
+    }
+
+    /// Whether equilibrium depends on whole turns, of prescribed angles or of internal states: one at
+    /// the end of a period may be none at its start then.
+    pub(crate) fn counts_turns(&self) -> bool {
+        let counts = |unknown: &Unknown| {
+            matches!(
+                unknown,
+                Unknown::State {
+                    measure: Measure::Angle,
+                    ..
+                }
+            )
+        };
+        !self.counted_turns.is_empty() || self.own_unknowns.iter().any(counts)
     }
 
     /// Largest change of an angle whose whole turns matter by what prescribes it, or others that

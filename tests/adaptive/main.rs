@@ -222,7 +222,7 @@ fn narrow_peaks_end_at_the_largest_grid_and_are_named() {
     // All bars lie in a line at T/4 and 3T/4.
     let turn = diagnostics.least_resolved_time / example.period;
     assert!((turn % 0.5 - 0.25).abs() < 0.02, "{turn}");
-    assert!(diagnostics.error_estimate > 1e-3 && diagnostics.error_estimate < 0.3);
+    assert!(diagnostics.error_estimate > 1e-4 && diagnostics.error_estimate < 0.3);
 }
 
 /// How much a curve oscillates as the highest harmonics do, away from the two peaks: a smooth curve

@@ -1,7 +1,7 @@
 //! Equilibrium at one time, at rest or turning steadily: collocation on a grid of one point.
 //! See docs/theory.md, section 11.1.
 //!
-//! Load steps are those of `starts/quasi_static`, in no time; `settle` creeps downhill where they
+//! Load steps are those of `starts/tracker`, in no time; `settle` creeps downhill where they
 //! lead nowhere.
 
 mod settle;
@@ -16,7 +16,7 @@ use crate::solve::periodic::estimate::mesh_error;
 use crate::solve::report::{Iteration, NewtonOptions, NewtonReport, Outcome, Timings};
 use crate::solve::result::{Kind, Solved};
 use crate::solve::start::InitialGuess;
-use crate::solve::starts::quasi_static::Tracker;
+use crate::solve::starts::tracker::Tracker;
 use crate::solve::watch::{Stage, Watch, Watching};
 use crate::system::{Regime, Standstill, System, require_reproducible_forces};
 use crate::workers::Workers;

@@ -4,7 +4,7 @@
 use crate::collocation::{Backward, BackwardWeights, Conditions, Spectral};
 use crate::error::Result;
 use crate::solve::report::{NewtonOptions, Outcome};
-use crate::solve::starts::quasi_static::Tracker;
+use crate::solve::starts::tracker::Tracker;
 use crate::solve::step_length::StepLength;
 use crate::system::System;
 

@@ -11,11 +11,11 @@ const FALL: f64 = 0.5;
 /// A step that takes more is rejected.
 const LARGEST_FALL: f64 = 0.25;
 
-/// The determinant along a path in time.
+/// The determinant along a path in time, forwards or backwards.
 #[derive(Debug, Default)]
 pub(crate) struct Branch {
-    /// Time, sign and logarithm of the size at the last state.
-    last: Option<(f64, f64, f64)>,
+    /// Sign and logarithm of the size at the last state.
+    last: Option<(f64, f64)>,
     /// Relative change per time.
     slope: f64,
     /// Longest step that the last one allows.
@@ -25,24 +25,18 @@ pub(crate) struct Branch {
 impl Branch {
     /// Whether a state with this determinant may continue the branch.
     pub fn continues(&self, (sign, logarithm): (f64, f64)) -> bool {
-        self.last.is_none_or(|(_, last_sign, last)| {
+        self.last.is_none_or(|(last_sign, last)| {
             sign == last_sign && logarithm - last > LARGEST_FALL.ln()
         })
     }
 
-    /// Takes a state as the next one.
-    pub fn advance(&mut self, time: f64, (sign, logarithm): (f64, f64)) {
-        self.slope = match self.last {
-            Some((before, last_sign, last)) if time != before => {
-                (1.0 - sign * last_sign * (last - logarithm).exp()) / (time - before)
-            }
-            _ => 0.0,
-        };
-        self.twice_last_step = self
-            .last
-            .map(|(before, ..)| 2.0 * (time - before))
-            .filter(|step| *step > 0.0);
-        self.last = Some((time, sign, logarithm));
+    /// Takes a state as the next one, after a step of so much time.
+    pub fn advance(&mut self, step: f64, (sign, logarithm): (f64, f64)) {
+        if let Some((last_sign, last)) = self.last {
+            self.slope = (1.0 - sign * last_sign * (last - logarithm).exp()) / step;
+            self.twice_last_step = Some(2.0 * step);
+        }
+        self.last = Some((sign, logarithm));
     }
 
     /// Time until the determinant will have fallen, or grown, as far as it should in a step.
@@ -66,7 +60,7 @@ mod tests {
         let mut branch = Branch::default();
         let at = |time: f64| (f64::signum(1.0 - time), f64::abs(1.0 - time).ln());
         assert!(branch.continues(at(0.0)));
-        branch.advance(0.0, at(0.0));
+        branch.advance(0.1, at(0.0));
         assert_eq!(branch.longest_step(), f64::INFINITY);
         branch.advance(0.5, at(0.5));
         // A straight line that reaches zero at 1 has fallen to a half at 0.75.
@@ -79,8 +73,8 @@ mod tests {
     #[test]
     fn a_step_is_at_most_twice_the_last() {
         let mut branch = Branch::default();
-        for time in [0.0, 0.1, 0.4] {
-            branch.advance(time, (1.0, 0.0));
+        for step in [1.0, 0.1, 0.3] {
+            branch.advance(step, (1.0, 0.0));
         }
         // It does not change: its slope allows any.
         assert!((branch.longest_step() - 0.6).abs() < 1e-15);

@@ -89,6 +89,8 @@ pub(crate) struct Newton<L = Assembled> {
     /// Whether solutions only lead to others: where blades are alike, the others than one are not
     /// looked at then.
     pub is_on_the_way: bool,
+    /// Whether the next solve begins with the matrix that the last one ended with.
+    keeps_matrix: bool,
     /// Short steps after which it is given up, if there are other ways.
     pub patience: Option<usize>,
     /// Iterations since this object was made.
@@ -163,6 +165,7 @@ impl<L: LinearSolver> Newton<L> {
             contraction: None,
             alike: None,
             is_on_the_way: false,
+            keeps_matrix: false,
             patience: None,
             trusts: false,
             stretches: false,
@@ -233,6 +236,20 @@ impl<L: LinearSolver> Newton<L> {
         observe: &mut dyn FnMut(&Iteration) -> bool,
     ) -> Result<NewtonReport> {
         Ok(self.find(state, options, None, observe)?.0)
+    }
+
+    /// Goes on from where [`Newton::solve`] has converged last, with the matrix that it ended with
+    /// while that serves.
+    pub fn go_on(
+        &mut self,
+        state: &mut GridState,
+        options: &NewtonOptions,
+        observe: &mut dyn FnMut(&Iteration) -> bool,
+    ) -> Result<NewtonReport> {
+        self.keeps_matrix = true;
+        let report = self.solve(state, options, observe);
+        self.keeps_matrix = false;
+        report
     }
 
     /// As [`Newton::solve`], to a point on the way: whether the multipliers have converged with the

@@ -169,6 +169,32 @@ impl<'a> OnGrid<'a> {
         }
     }
 
+    /// Goes on from a solution to the tolerance that is asked for.
+    pub fn complete(&mut self, (mut state, mut report): Found) -> Result<Found> {
+        let is_last = self.is_used && self.last.as_ref().is_some_and(|(of, _)| *of == self.grid);
+        self.is_used = true;
+        self.watching.stage(Stage::Newton);
+        let (before, options) = (report.iterations.len(), self.means.newton);
+        let observe = &mut *self.observe;
+        let mut observe = |iteration: &Iteration| {
+            let number = before + iteration.number;
+            let iteration = Iteration {
+                number,
+                ..*iteration
+            };
+            report.iterations.push(iteration);
+            observe(Stage::Newton, &iteration)
+        };
+        let found = match is_last {
+            true => self.newton.go_on(&mut state, &options, &mut observe)?,
+            false => self.newton.solve(&mut state, &options, &mut observe)?,
+        };
+        if !found.outcome.is_solution() {
+            (report.outcome, report.explanation) = (found.outcome, found.explanation);
+        }
+        Ok((state, report))
+    }
+
     /// What there is when the solve is cancelled where Newton's method does not see it.
     pub fn cancelled(&mut self) -> Result<Found> {
         let Some((grid, (state, report))) = self.last.take() else {

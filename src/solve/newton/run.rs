@@ -182,7 +182,7 @@ impl<'a, L: LinearSolver> Run<'a, L> {
             return Ok(self.go_back(start));
         }
         let is_first = self.iterations.is_empty();
-        let asks = is_first && !self.newton.trusts;
+        let asks = is_first && !self.newton.trusts && !self.newton.keeps_matrix;
         let regular = found.filter(|_| !asks || !self.newton.is_singular(SINGULAR_GROWTH));
         let Some(size) = regular else {
             return Ok(match self.newton.judge_singular(self.state) {
@@ -249,12 +249,16 @@ impl<'a, L: LinearSolver> Run<'a, L> {
         if is_first {
             self.newton.equations.apply_scalars(self.state)?;
         }
-        let factored = self.newton.linearise(self.state)?;
+        let keeps_matrix = is_first && self.newton.keeps_matrix;
+        let factored = keeps_matrix || self.newton.linearise(self.state)?;
         if is_first {
             let (newton, state) = (&mut *self.newton, &*self.state);
             timed(&mut newton.timings.assembly, || {
                 let equations = &mut newton.equations;
-                equations.residual_where_linearised(state, &mut self.residual)
+                match keeps_matrix {
+                    true => equations.residual(state, &mut self.residual),
+                    false => equations.residual_where_linearised(state, &mut self.residual),
+                }
             })?;
         }
         let rows = self.increment.iter_mut().zip(&self.residual);

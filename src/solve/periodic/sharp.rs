@@ -38,6 +38,11 @@ const SHARES: [f64; 3] = [0.5, 1.5, 4.0];
 /// Factor of a width or a share, or part of a width that a time is moved by, from one trial to the
 /// next, at first and at last.
 const STEPS: [f64; 2] = [1.6, 1.15];
+/// Times serve alike that let harmonics end this much later at most; they are looked for in moves of
+/// this part of a width, so many each way.
+const ALIKE: f64 = 1.04;
+const MOVE: f64 = 0.125;
+const MOST_MOVES: u32 = 8;
 /// Bounds of widths, in periods, and of shares.
 const NARROWEST: f64 = 3e-4;
 const WIDEST: f64 = 0.3;
@@ -59,7 +64,14 @@ pub(super) fn of_rest(system: &System, grid: TimeGrid, state: &GridState) -> Opt
     let mut search = Search::new(system, grid, state, (SEEN_WHERE_NEAR, 1));
     let (found, ends) = search.from(Vec::new(), GAIN)?;
     let holding = Some((2.0 * ends).ceil() as usize);
-    Some(Sharper { holding, ..found })
+    let mut events = found.map.events(1.0);
+    search.centre(&mut events, ends);
+    let map = TimeMap::new(&events, 1.0).ok()?;
+    Some(Sharper {
+        map,
+        holding,
+        ..found
+    })
 }
 
 /// The same of a solution, which may resolve little.
@@ -172,9 +184,12 @@ impl Search {
             (events, best) = (with, ends);
         }
         let gain = present / best;
+        if gain <= least {
+            return None;
+        }
         let map = TimeMap::new(&events, 1.0).ok()?;
         let holding = None;
-        (gain > least).then_some((Sharper { map, gain, holding }, best))
+        Some((Sharper { map, gain, holding }, best))
     }
 
     /// The curves at the points of a grid that is tried.
@@ -267,6 +282,28 @@ impl Search {
             }
         }
         best
+    }
+
+    /// Moves each event to the middle of the times that serve alike: this motion tells no better when
+    /// others are sharpest.
+    fn centre(&mut self, events: &mut [SharpEvent], best: f64) {
+        for i in 0..events.len() {
+            let SharpEvent { time, width, .. } = events[i];
+            let mut reach = |direction: f64| {
+                let mut reached = 0.0;
+                for step in 1..=MOST_MOVES {
+                    let moved = direction * MOVE * f64::from(step);
+                    events[i].time = time + moved * width;
+                    if self.ends_with(events) > ALIKE * best {
+                        break;
+                    }
+                    reached = moved;
+                }
+                reached
+            };
+            let both = reach(-1.0) + reach(1.0);
+            events[i].time = time + 0.5 * both * width;
+        }
     }
 
     /// Events changed one number after the other while harmonics end earlier.

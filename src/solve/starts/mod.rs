@@ -3,7 +3,8 @@
 
 mod dissipative_march;
 mod in_steps;
-pub(crate) mod quasi_static;
+mod quasi_static;
+pub(crate) mod tracker;
 
 use crate::collocation::GridState;
 use crate::error::Result;

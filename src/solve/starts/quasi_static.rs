@@ -1,40 +1,21 @@
 //! The default initial guess: quasi-static equilibrium, followed once around the period
 //! (docs/theory.md, section 9.1).
 
+use super::tracker::Tracker;
 use crate::collocation::{Collocation, Conditions, GivenRates, GridState, LikeBlades, Steady};
-use crate::error::{ErrorKind, Result};
+use crate::error::Result;
 use crate::fourier::TimeGrid;
-use crate::solve::newton::branch::Branch;
-use crate::solve::newton::{Newton, Waypoint};
-use crate::solve::report::{Iteration, NewtonOptions, Outcome};
-use crate::solve::step_length::StepLength;
+use crate::solve::newton::Newton;
+use crate::solve::report::{Iteration, Outcome};
 use crate::system::{Driven, System};
 use crate::workers::Workers;
-use nalgebra::Vector6;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Largest increment of a quasi-static solve: its square is the error left.
-const TOLERANCE: f64 = 1e-3;
-/// What that error stretches slender beams by is to be no more geometric stiffness than this part
-/// of their bending stiffness.
-const SPURIOUS: f64 = 0.5;
-/// Largest increment on the way to the loads, from where it goes on with stress resultants that do
-/// not know of that stretching: its square, the error left, is about the tolerance.
-const ON_THE_WAY: f64 = 0.03;
-/// A step that needs more iterations than this has failed; one in time is halved.
-const ITERATION_LIMIT: usize = 12;
-/// A load step along which Newton's method goes on by so many short ones has failed,
-const PATIENCE: usize = 1;
-/// and this part of it is tried: what turns too far at once seldom does not by half the load.
-const LOADS_KEPT: f64 = 0.25;
-/// A step that needs fewer is doubled.
-const EASY_ITERATIONS: usize = 5;
 /// Steps taken over a period at least: an angle of a turn a period moves 18 degrees.
 const LEAST_STEPS: usize = 20;
-/// A prescribed angle that turns a screw moves by no more in a step, so that no turn is lost.
-const LARGEST_TURN: f64 = 1.0;
-/// Smallest fraction of a step before giving up.
-const SMALLEST_FRACTION: f64 = 1.0 / 1024.0;
+/// From this number of points on the period is gone around both ways.
+const LARGE: usize = 40;
 
 /// Parts of the period at which inertial forces are looked at, beside where a node's motion bends
 /// most: none of the first four harmonics vanishes at both.
@@ -50,256 +31,6 @@ pub(crate) struct Guess {
     pub explanation: String,
 }
 
-/// Why there is no equilibrium.
-type Failure = (Outcome, String);
-
-/// An equilibrium.
-struct Found {
-    state: GridState,
-    /// With which a way of loads goes on from there; those of the strains if there are none.
-    resultants: Vec<Vector6<f64>>,
-    iterations: usize,
-}
-
-/// What an equilibrium is looked for at.
-struct Stop {
-    time: f64,
-    load_factor: f64,
-    /// Since the present state.
-    passed: f64,
-    keeps_branch: bool,
-    /// Whether loads are still to grow.
-    on_the_way: bool,
-}
-
-/// Static equilibrium at one time, tracked from one set of conditions to the next.
-pub(crate) struct Tracker<'a> {
-    pub newton: Newton,
-    pub state: GridState,
-    /// At the state, on the way to the loads; none if those of the strains.
-    resultants: Vec<Vector6<f64>>,
-    pub observe: &'a mut dyn FnMut(&Iteration) -> bool,
-    /// Why the last way was not followed to its end.
-    pub failure: Option<Failure>,
-    /// How far the last way was followed, from 0 to 1.
-    pub reached: f64,
-    /// The branch that is followed.
-    branch: Branch,
-    /// States before the present one, latest first, and from each the time to the next.
-    before: Vec<(GridState, f64)>,
-    tolerance: f64,
-    /// What turns steadily.
-    driven: Option<Driven>,
-}
-
-impl<'a> Tracker<'a> {
-    /// At rest in the reference configuration.
-    pub fn new(
-        system: &Arc<System>,
-        workers: &Workers,
-        observe: &'a mut dyn FnMut(&Iteration) -> bool,
-    ) -> Result<Self> {
-        let newton = Newton::at_instant(system, workers)?;
-        Ok(Tracker {
-            state: GridState::reference(system, newton.equations.grid()),
-            newton,
-            resultants: Vec::new(),
-            observe,
-            failure: None,
-            reached: 0.0,
-            branch: Branch::default(),
-            before: Vec::new(),
-            tolerance: TOLERANCE.min((SPURIOUS / system.slenderness()).sqrt()),
-            driven: None,
-        })
-    }
-
-    /// Sets time and load factor, which steady rotation follows.
-    fn set_conditions(&mut self, time: f64, load_factor: f64) -> Result<()> {
-        let equations = &mut self.newton.equations;
-        equations.set_conditions(Conditions {
-            load_factor,
-            ..Conditions::at(time)
-        })?;
-        if let Some(driven) = &self.driven {
-            equations.set_rule(Box::new(Steady::new(driven.twists(load_factor))));
-        }
-        Ok(())
-    }
-
-    /// Where the present state is expected after this time.
-    fn expected(&self, system: &System, passed: f64) -> GridState {
-        let mut past = self.before.iter().map(|(state, since)| (state, *since));
-        match (past.next(), &self.driven) {
-            (Some(before), _) if passed > 0.0 => {
-                self.state.extrapolated(system, before, past.next(), passed)
-            }
-            (None, Some(driven)) if passed > 0.0 => {
-                let mut state = self.state.clone();
-                for (node, motion) in state.motions.iter_mut().enumerate() {
-                    *motion = driven.moved(node, motion, passed);
-                }
-                state.track(system);
-                state
-            }
-            _ => self.state.clone(),
-        }
-    }
-
-    /// Goes from parameter 0 to 1 in adaptive steps of at most `largest_step`, with conditions
-    /// `(time, load factor)` at each.
-    ///
-    /// In time it keeps to its branch of equilibria; where that ends, it snaps to what Newton's
-    /// method finds beyond.
-    pub fn follow(
-        &mut self,
-        largest_step: f64,
-        conditions: impl Fn(f64) -> (f64, f64),
-    ) -> Result<bool> {
-        let start = self.state.clone();
-        let span = conditions(1.0).0 - conditions(0.0).0;
-        if span <= 0.0 {
-            return self.advance(largest_step, &conditions, false);
-        }
-        if self.advance(largest_step, &conditions, true)? {
-            return Ok(true);
-        }
-        if self.was_cancelled() {
-            return Ok(false);
-        }
-        self.failure = None;
-        self.state = start;
-        self.branch = Branch::default();
-        self.before.clear();
-        self.advance(largest_step, &conditions, false)
-    }
-
-    /// Goes as [`follow`](Self::follow) does, with or without regard to the branch.
-    fn advance(
-        &mut self,
-        largest_step: f64,
-        conditions: &impl Fn(f64) -> (f64, f64),
-        keeps_branch: bool,
-    ) -> Result<bool> {
-        let system = self.newton.equations.system().clone();
-        let span = conditions(1.0).0 - conditions(0.0).0;
-        let mut reached = 0.0;
-        let range = SMALLEST_FRACTION..=largest_step;
-        let retreat = if span <= 0.0 { LOADS_KEPT } else { 0.5 };
-        let mut step = StepLength::shortened(largest_step, range, retreat);
-        while reached < 1.0 {
-            self.reached = reached;
-            let safe = (self.branch.longest_step() / span).max(SMALLEST_FRACTION);
-            // Equal steps over what is left; the last is no rounding short.
-            let left = ((1.0 - reached) / step.get().min(safe) - 1e-9).ceil();
-            let next = if left > 1.0 {
-                reached + (1.0 - reached) / left
-            } else {
-                1.0
-            };
-            let turn = system.turn_between(conditions(reached), conditions(next))?;
-            let next = if turn > LARGEST_TURN {
-                reached + (next - reached) * (LARGEST_TURN / turn).max(SMALLEST_FRACTION)
-            } else {
-                next
-            };
-            let (time, load_factor) = conditions(next);
-            let passed = span * (next - reached);
-            let stop = Stop {
-                time,
-                load_factor,
-                passed,
-                keeps_branch,
-                on_the_way: span <= 0.0 && next < 1.0,
-            };
-            match self.find(&system, &stop)? {
-                Ok(found) => {
-                    self.go_to(found.state, keeps_branch.then_some(passed));
-                    self.resultants = found.resultants;
-                    reached = next;
-                    if found.iterations <= EASY_ITERATIONS {
-                        step.grow(step.get(), 2.0);
-                    }
-                }
-                Err((outcome, explanation)) => {
-                    let is_first = reached == 0.0 && outcome == Outcome::Singular;
-                    let goes_on = !outcome.is_stopped()
-                        && step.shrink(next - reached)
-                        && !(is_first && step.get() < 0.1);
-                    if !goes_on {
-                        self.failure = Some((outcome, explanation));
-                        return Ok(false);
-                    }
-                }
-            }
-        }
-        self.reached = reached;
-        Ok(true)
-    }
-
-    /// Looks for equilibrium; why there is none, otherwise.
-    fn find(
-        &mut self,
-        system: &System,
-        stop: &Stop,
-    ) -> Result<std::result::Result<Found, Failure>> {
-        self.set_conditions(stop.time, stop.load_factor)?;
-        let mut state = self.expected(system, stop.passed);
-        let options = NewtonOptions {
-            tolerance: self.tolerance,
-            iteration_limit: ITERATION_LIMIT,
-        };
-        let has_stations = self.newton.equations.has_stations();
-        let waypoint = Waypoint {
-            enough: match stop.on_the_way && has_stations {
-                true => ON_THE_WAY,
-                false => self.tolerance,
-            },
-            resultants: self.resultants.clone(),
-        };
-        self.newton.patience = (stop.passed <= 0.0).then_some(PATIENCE);
-        let report = (self.newton).approach(&mut state, &options, waypoint, self.observe);
-        self.newton.patience = None;
-        let (iterations, resultants) = match report {
-            Ok((report, resultants)) if report.outcome == Outcome::Converged => {
-                (report.iterations.len(), resultants)
-            }
-            Ok((report, _)) => return Ok(Err((report.outcome, report.explanation))),
-            Err(error) if error.kind() == ErrorKind::Callback => return Err(error),
-            Err(error) => return Ok(Err((Outcome::Stalled, error.to_string()))),
-        };
-        if stop.keeps_branch {
-            match self.newton.determinant(&state)? {
-                Some(determinant) if self.branch.continues(determinant) => {
-                    self.branch.advance(stop.time, determinant);
-                }
-                _ => {
-                    let why = "the equilibrium that was followed ends".into();
-                    return Ok(Err((Outcome::Stalled, why)));
-                }
-            }
-        }
-        Ok(Ok(Found {
-            state,
-            resultants,
-            iterations,
-        }))
-    }
-
-    /// Goes on from `state`. If its branch is kept, what has been before tells what comes next,
-    /// `passed` after it.
-    fn go_to(&mut self, state: GridState, passed: Option<f64>) {
-        let before = std::mem::replace(&mut self.state, state);
-        match passed {
-            Some(passed) if passed > 0.0 => {
-                self.before.insert(0, (before, passed));
-                self.before.truncate(2);
-            }
-            _ => self.before.clear(),
-        }
-    }
-}
-
 /// Quasi-static states at all points of `grid`: of what is at rest or, if `driven` is given, turns
 /// steadily.
 pub(crate) fn quasi_static(
@@ -313,25 +44,24 @@ pub(crate) fn quasi_static(
     tracker.driven = driven.cloned();
     let mut state = GridState::reference(system, grid);
 
-    // From the unloaded reference configuration to time zero, then from grid point to grid point.
-    let mut complete = tracker.follow(1.0, |fraction| (0.0, fraction))?;
-    let parts = LEAST_STEPS.div_ceil(grid.points());
+    // From the unloaded reference configuration to time zero, then around the period.
+    let mut states = Vec::new();
     // Like blades are where others were before.
     let alike = LikeBlades::on(system, grid);
     let points = alike.as_ref().map_or(grid.points(), |left| left.part);
-    for k in 0..points {
-        if !complete {
-            break;
-        }
-        state.copy_point(system, k, &tracker.state, 0);
-        let interval = grid.intervals(k)[0];
-        for part in 0..if k + 1 < points { parts } else { 0 } {
-            let start = grid.time(k) + interval * part as f64 / parts as f64;
-            let length = interval / parts as f64;
-            complete =
-                complete && tracker.follow(1.0, |fraction| (start + fraction * length, 1.0))?;
-        }
+    if tracker.follow(1.0, |fraction| (0.0, fraction))? {
+        states.push(tracker.state.clone());
+        let goes_both_ways = alike.is_none() && points >= LARGE && !system.counts_turns();
+        let others = match goes_both_ways {
+            true => both_ways(&mut tracker, grid, workers)?,
+            false => walk(&mut tracker, grid, 0.0, 1..points)?,
+        };
+        states.extend(others);
     }
+    for (k, at) in states.iter().enumerate() {
+        state.copy_point(system, k, at, 0);
+    }
+    let complete = states.len() == points;
     if let (Some(left), true) = (alike, complete) {
         let equations = Collocation::new(system.clone(), grid)?;
         left.complete(system, equations.column_scale(), &mut state);
@@ -345,6 +75,114 @@ pub(crate) fn quasi_static(
         outcome,
         explanation,
     })
+}
+
+/// States at so many points of `grid`, followed from one to the next until there is no equilibrium:
+/// from the present one, at time `from`.
+fn walk(
+    tracker: &mut Tracker,
+    grid: TimeGrid,
+    mut from: f64,
+    points: impl Iterator<Item = usize>,
+) -> Result<Vec<GridState>> {
+    let parts = LEAST_STEPS.div_ceil(grid.points());
+    let mut states = Vec::new();
+    for k in points {
+        let step = (grid.time(k) - from) / parts as f64;
+        for part in 0..parts {
+            let start = from + step * part as f64;
+            if !tracker.follow(1.0, |fraction| (start + fraction * step, 1.0))? {
+                return Ok(states);
+            }
+        }
+        states.push(tracker.state.clone());
+        from = grid.time(k);
+    }
+    Ok(states)
+}
+
+/// States at all points of `grid` but the first, as far as there are: from there, where the
+/// tracker is, forwards over half the period, and backwards over the other half, which another
+/// thread can do.
+fn both_ways(tracker: &mut Tracker, grid: TimeGrid, workers: &Workers) -> Result<Vec<GridState>> {
+    let system = tracker.newton.equations.system().clone();
+    let points = grid.points();
+    let half = points / 2 + 1;
+    let (start, driven) = (tracker.state.clone(), tracker.driven.clone());
+    let backwards = |observe: &mut dyn FnMut(&Iteration) -> bool| {
+        let mut other = Tracker::new(&system, &workers.alone(), observe)?;
+        other.state = start.clone();
+        other.driven = driven.clone();
+        let last = walk(&mut other, grid, grid.period(), (half..points).rev())?;
+        Ok((
+            last,
+            other.failure.filter(|(outcome, _)| outcome.is_stopped()),
+        ))
+    };
+    let is_whole = |states: &[GridState]| states.len() + 1 == half;
+    let shared = system.time_workers(workers);
+    let (mut states, (mut last, stopped)) = if shared.threads() == 1 {
+        let states = walk(tracker, grid, 0.0, 1..half)?;
+        if !is_whole(&states) {
+            return Ok(states);
+        }
+        (states, backwards(tracker.observe)?)
+    } else {
+        let has_failed = AtomicBool::new(false);
+        let mut seen = Vec::new();
+        let (states, last) = shared.both(
+            || {
+                let states = walk(tracker, grid, 0.0, 1..half);
+                let complete = states.as_ref().is_ok_and(|states| is_whole(states));
+                has_failed.store(!complete, Ordering::Relaxed);
+                states
+            },
+            || {
+                backwards(&mut |iteration| {
+                    seen.push(*iteration);
+                    !has_failed.load(Ordering::Relaxed)
+                })
+            },
+        );
+        let (states, (last, mut stopped)) = (states?, last?);
+        if !is_whole(&states) {
+            return Ok(states);
+        }
+        // What the other thread did is told here.
+        if !seen.iter().all(|iteration| (tracker.observe)(iteration)) {
+            stopped = Some((Outcome::Cancelled, String::new()));
+        }
+        (states, (last, stopped))
+    };
+    if stopped.is_some() {
+        tracker.failure = stopped;
+        return Ok(states);
+    }
+    // What cannot be reached backwards may be forwards.
+    let met = points - last.len();
+    states.extend(walk(tracker, grid, grid.time(half - 1), half..met)?);
+    if states.len() + 1 == met {
+        last.reverse();
+        join_turns(&system, states.last().unwrap_or(&start), &mut last);
+        states.append(&mut last);
+    }
+    Ok(states)
+}
+
+/// Lets angles go on from those `before` without a jump by whole turns.
+fn join_turns(system: &System, before: &GridState, states: &mut [GridState]) {
+    let Some(first) = states.first() else {
+        return;
+    };
+    let mut joined = first.clone();
+    joined.coordinates.clone_from(&before.coordinates);
+    joined.track(system);
+    let both = joined.coordinates.iter().zip(&first.coordinates);
+    let gains: Vec<f64> = both.map(|(joined, found)| joined - found).collect();
+    for state in states {
+        let all = state.coordinates.iter_mut().zip(&gains);
+        all.for_each(|(angle, gain)| *angle += gain);
+    }
 }
 
 /// Largest increment of a motion, in scaled unknowns, that the inertial forces of the quasi-static
@@ -434,6 +272,7 @@ mod tests {
     use super::*;
     use crate::elements::{Coordinate, JointKind};
     use crate::model::{JointCoordinate, Model, Signal, SpringDefinition};
+    use crate::test_models::linkages::planar_linkage;
     use nalgebra::{Matrix3, Vector3};
     use std::f64::consts::TAU;
 
@@ -476,5 +315,65 @@ mod tests {
         let expected = mass * acceleration / stiffness / system.scales().length;
         let error = found / expected - 1.0;
         assert!(error.abs() < 1e-9, "{error:e}");
+    }
+
+    #[test]
+    fn both_ways_around_the_period_lead_to_the_same_motion() {
+        let (model, period) = planar_linkage();
+        let system = Arc::new(System::new(&model, period).unwrap());
+        let grid = TimeGrid::new(LARGE | 1, period).unwrap();
+        let [alone, shared] = [1, 2].map(|threads| {
+            let workers = Workers::new(threads).unwrap();
+            let guess = quasi_static(&system, grid, None, &workers, &mut |_| true).unwrap();
+            assert_eq!(guess.outcome, Outcome::Converged);
+            guess.state
+        });
+        assert_eq!(alone, shared);
+
+        let observe = &mut |_: &_| true;
+        let mut tracker = Tracker::new(&system, &Workers::default(), observe).unwrap();
+        assert!(tracker.follow(1.0, |fraction| (0.0, fraction)).unwrap());
+        let states = walk(&mut tracker, grid, 0.0, 1..grid.points()).unwrap();
+        // Both are as accurate as the square of the last increment.
+        let mut at = GridState::at_points(&system, 1);
+        for (k, state) in (1..).zip(&states) {
+            at.copy_point(&system, 0, &alone, k);
+            assert!(at.distance(state, system.scales().length) < 1e-5);
+            let both = at.coordinates.iter().zip(&state.coordinates);
+            both.for_each(|(a, b)| assert!((a - b).abs() < 1e-5, "{k}: {a} {b}"));
+        }
+        // The crank gains a turn on the coupler.
+        let [first, last] = [0, grid.points() - 1].map(|k| alone.tracked(&system, k));
+        let gains = first.iter().zip(last).map(|(a, b)| (a - b).abs());
+        assert!(gains.fold(0.0, f64::max) > 5.0);
+    }
+
+    #[test]
+    fn a_guess_is_cancelled_on_either_way_around_the_period() {
+        let (model, period) = planar_linkage();
+        let system = Arc::new(System::new(&model, period).unwrap());
+        let grid = TimeGrid::new(LARGE | 1, period).unwrap();
+        for threads in [1, 2] {
+            let workers = Workers::new(threads).unwrap();
+            let until = |most: usize| {
+                let mut seen = 0;
+                let observe = &mut |_: &_| {
+                    seen += 1;
+                    seen <= most
+                };
+                let guess = quasi_static(&system, grid, None, &workers, observe).unwrap();
+                (guess.outcome, seen)
+            };
+            let (outcome, all) = until(usize::MAX);
+            assert_eq!(outcome, Outcome::Converged);
+            // The last iteration of an equilibrium does not ask.
+            for most in [all / 4, 3 * all / 4] {
+                let (outcome, seen) = until(most);
+                assert!(
+                    outcome == Outcome::Cancelled && seen < most + all / 5,
+                    "{seen}"
+                );
+            }
+        }
     }
 }
