@@ -118,8 +118,8 @@ impl System {
         Ok(())
     }
 
-    /// Whether equilibrium depends on whole turns, of prescribed angles or of internal states: one at
-    /// the end of a period may be none at its start then.
+    /// Whether equilibrium depends on whole turns, of prescribed angles or of internal states: one
+    /// at the end of a period may be none at its start then.
     pub(crate) fn counts_turns(&self) -> bool {
         let counts = |unknown: &Unknown| {
             matches!(

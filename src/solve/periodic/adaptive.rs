@@ -65,9 +65,6 @@ const NEAR_REST: usize = 12;
 const DECEIVED: f64 = 10.0;
 /// A difference of solutions that is larger is none of rounding.
 const ROUNDING: f64 = 1e-10;
-/// Newton's method goes on to this part of the tolerance on grids that may not be the last: what
-/// its last increment leaves is far less, and no harmonic that tells of errors.
-const ON_THE_WAY: f64 = 0.01;
 /// A deviation from rest or from a steady turn that is none.
 const AT_REST: f64 = 1e-13;
 /// From this number of points on they are chosen for quick Fourier transforms.
@@ -275,37 +272,9 @@ fn describe_missed(
 }
 
 impl Periodic<'_> {
-    /// Solves on ever finer grids, from a given state or the library's own start.
-    pub(super) fn refine(
-        &mut self,
-        adaptation: &Adaptation,
-        start: Option<GridState>,
-    ) -> Result<Found> {
-        let tolerance = self.on.means.newton.tolerance;
-        let found = self.refine_roughly(adaptation, start);
-        let is_rough = self.on.means.newton.tolerance > tolerance;
-        self.on.means.newton.tolerance = tolerance;
-        let (state, report) = found?;
-        if !is_rough || !report.outcome.is_solution() {
-            return Ok((state, report));
-        }
-        let before = report.iterations.len();
-        // What was found is not to be lost for the work that others took.
-        self.on.newton.equations.workers().work().take_back(0.0);
-        let (mut state, report) = self.on.complete((state, report))?;
-        if let Some(last) = self.grids.last_mut() {
-            last.iterations += report.iterations.len() - before;
-        }
-        if self.on.newton.equations.oversampled().is_none() {
-            self.on.newton.update_kinematics(&state);
-            let equations = &mut self.on.newton.equations;
-            equations.reduce_to_least_norm(&mut state)?;
-        }
-        Ok((state, report))
-    }
-
-    /// The same with Newton's method no further than grids on the way ask for, after the first.
-    fn refine_roughly(
+    /// Solves on ever finer grids, from a given state or the library's own start; after the first,
+    /// as accurately as grids on the way ask for.
+    pub(super) fn refine_roughly(
         &mut self,
         adaptation: &Adaptation,
         start: Option<GridState>,
@@ -317,7 +286,6 @@ impl Periodic<'_> {
             None => self.on_first_grid(adaptation)?,
         };
         let length = self.on.system.scales().length;
-        let tolerance = self.on.means.newton.tolerance;
         let mut before: Option<Before> = None;
         while report.outcome == Outcome::Converged {
             let adaptation = adaptation.of_response(&self.on.system, self.on.grid, &state);
@@ -351,10 +319,7 @@ impl Periodic<'_> {
                 }
             };
             deceivable = false;
-            if self.on.system.symmetry().is_none() {
-                let enough = ON_THE_WAY * adaptation.error_tolerance;
-                self.on.means.newton.tolerance = tolerance.max(enough);
-            }
+            self.go_roughly(adaptation.error_tolerance);
             let start = match self.on.carry_to(fine, &state) {
                 Err(error) if error.kind() == ErrorKind::OutOfMemory => {
                     report.outcome = Outcome::ToleranceNotMet;

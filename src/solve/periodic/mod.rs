@@ -4,6 +4,7 @@
 //! * `options.rs`: what the user may choose;
 //! * `given.rs`: a solve on a given grid, which may begin on a coarser one;
 //! * `adaptive.rs`: grids made finer until the estimated error meets a tolerance;
+//! * `on_the_way.rs`: how far Newton's method goes on grids that may not be the last;
 //! * `conditioned.rs`: motions under conditions that determine free parameters;
 //! * `sharp.rs`: when a motion is sharp, and the map of time that brings grid points there;
 //! * `maps.rs`: when maps are looked for, and what becomes of them;
@@ -16,6 +17,7 @@ pub(crate) mod estimate;
 mod given;
 pub(crate) mod loads;
 mod maps;
+mod on_the_way;
 pub(crate) mod options;
 mod sharp;
 mod waves;
@@ -51,6 +53,8 @@ struct Periodic<'a> {
     on: OnGrid<'a>,
     starts: Starts,
     loads: Loads,
+    /// Tolerance of Newton's method that is asked for.
+    tolerance: f64,
     /// The largest estimated error that ends an adaptive solve; zero on a grid that is given.
     accepted: f64,
     /// Points of the finest grid that may follow; zero where it is given.
@@ -191,6 +195,7 @@ pub fn solve_periodic(
         on: OnGrid::new(&system, grid, means, watching.clone(), &mut observe)?,
         starts: Starts::new(&system, of_starts, chosen)?,
         loads,
+        tolerance: options.newton.tolerance,
         accepted,
         finest,
         maps: Maps::new(options.time_map.most_tried()),

@@ -38,8 +38,8 @@ const SHARES: [f64; 3] = [0.5, 1.5, 4.0];
 /// Factor of a width or a share, or part of a width that a time is moved by, from one trial to the
 /// next, at first and at last.
 const STEPS: [f64; 2] = [1.6, 1.15];
-/// Times serve alike that let harmonics end this much later at most; they are looked for in moves of
-/// this part of a width, so many each way.
+/// Times serve alike that let harmonics end this much later at most; they are looked for in moves
+/// of this part of a width, so many each way.
 const ALIKE: f64 = 1.04;
 const MOVE: f64 = 0.125;
 const MOST_MOVES: u32 = 8;
@@ -284,8 +284,8 @@ impl Search {
         best
     }
 
-    /// Moves each event to the middle of the times that serve alike: this motion tells no better when
-    /// others are sharpest.
+    /// Moves each event to the middle of the times that serve alike: this motion tells no better
+    /// when others are sharpest.
     fn centre(&mut self, events: &mut [SharpEvent], best: f64) {
         for i in 0..events.len() {
             let SharpEvent { time, width, .. } = events[i];

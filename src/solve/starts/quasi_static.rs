@@ -130,6 +130,8 @@ fn both_ways(tracker: &mut Tracker, grid: TimeGrid, workers: &Workers) -> Result
     } else {
         let has_failed = AtomicBool::new(false);
         let mut seen = Vec::new();
+        // Each way has a thread of its own.
+        tracker.newton.equations.set_workers(workers.alone());
         let (states, last) = shared.both(
             || {
                 let states = walk(tracker, grid, 0.0, 1..half);
@@ -144,6 +146,7 @@ fn both_ways(tracker: &mut Tracker, grid: TimeGrid, workers: &Workers) -> Result
                 })
             },
         );
+        tracker.newton.equations.set_workers(workers.clone());
         let (states, (last, mut stopped)) = (states?, last?);
         if !is_whole(&states) {
             return Ok(states);

@@ -1,4 +1,5 @@
-//! Static equilibrium followed from one set of conditions to the next (docs/theory.md, section 9.1).
+//! Static equilibrium followed from one set of conditions to the next (docs/theory.md, section
+//! 9.1).
 
 use crate::collocation::{Conditions, GridState, Steady};
 use crate::error::{ErrorKind, Result};
