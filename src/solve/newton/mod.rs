@@ -89,7 +89,7 @@ pub(crate) struct Newton<L = Assembled> {
     /// Whether solutions only lead to others: where blades are alike, the others than one are not
     /// looked at then.
     pub is_on_the_way: bool,
-    /// Whether the next solve begins with the matrix that the last one ended with.
+    /// Whether the next iteration is by the matrix of the last one.
     keeps_matrix: bool,
     /// Short steps after which it is given up, if there are other ways.
     pub patience: Option<usize>,
@@ -247,9 +247,8 @@ impl<L: LinearSolver> Newton<L> {
         observe: &mut dyn FnMut(&Iteration) -> bool,
     ) -> Result<NewtonReport> {
         self.keeps_matrix = true;
-        let report = self.solve(state, options, observe);
-        self.keeps_matrix = false;
-        report
+        self.equations.forget_linearised_residual();
+        self.solve(state, options, observe)
     }
 
     /// As [`Newton::solve`], to a point on the way: whether the multipliers have converged with the

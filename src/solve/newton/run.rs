@@ -177,12 +177,13 @@ impl<'a, L: LinearSolver> Run<'a, L> {
     /// Linearises, takes a step, and those with the same matrix after it.
     fn advance(&mut self) -> Result<ControlFlow<Ending>> {
         self.newton.equations.workers().pulse()?;
-        let found = self.find_increment()?;
+        let keeps_matrix = std::mem::take(&mut self.newton.keeps_matrix);
+        let found = self.find_increment(keeps_matrix)?;
         if let Some(start) = self.watchdog.judge(found) {
             return Ok(self.go_back(start));
         }
         let is_first = self.iterations.is_empty();
-        let asks = is_first && !self.newton.trusts && !self.newton.keeps_matrix;
+        let asks = is_first && !self.newton.trusts && !keeps_matrix;
         let regular = found.filter(|_| !asks || !self.newton.is_singular(SINGULAR_GROWTH));
         let Some(size) = regular else {
             return Ok(match self.newton.judge_singular(self.state) {
@@ -243,22 +244,18 @@ impl<'a, L: LinearSolver> Run<'a, L> {
 
     /// Writes the increment at the state, and gives its largest motion; none if the Jacobian is
     /// singular.
-    fn find_increment(&mut self) -> Result<Option<f64>> {
+    fn find_increment(&mut self, keeps_matrix: bool) -> Result<Option<f64>> {
         self.newton.contraction = None;
         let is_first = self.iterations.is_empty();
         if is_first {
             self.newton.equations.apply_scalars(self.state)?;
         }
-        let keeps_matrix = is_first && self.newton.keeps_matrix;
         let factored = keeps_matrix || self.newton.linearise(self.state)?;
         if is_first {
             let (newton, state) = (&mut *self.newton, &*self.state);
             timed(&mut newton.timings.assembly, || {
                 let equations = &mut newton.equations;
-                match keeps_matrix {
-                    true => equations.residual(state, &mut self.residual),
-                    false => equations.residual_where_linearised(state, &mut self.residual),
-                }
+                equations.residual_where_linearised(state, &mut self.residual)
             })?;
         }
         let rows = self.increment.iter_mut().zip(&self.residual);
