@@ -5,12 +5,18 @@
 
 use crate::error::{Error, ErrorKind, Result};
 use crate::work::Work;
-use rayon::{ThreadPool, ThreadPoolBuilder};
+use pool::{AWAKE, Pool, stay_awake};
+use rayon::ThreadPool;
+use rayon::iter::IndexedParallelIterator;
 use std::fmt;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Condvar, Mutex};
-use std::thread::{self, JoinHandle};
-use std::time::Duration;
+use std::thread;
+use std::time::{Duration, Instant};
+
+mod pool;
+
+pub(crate) use pool::join;
 
 /// Keeps faer's convenient functions on the calling thread: by default they would start a thread
 /// for each processor.
@@ -18,44 +24,10 @@ pub(crate) fn no_threads_unasked() {
     faer::set_global_parallelism(faer::Par::Seq);
 }
 
-/// Threads that have ended when it is dropped: a program may unload the library then.
-#[derive(Debug)]
-struct Pool {
-    /// Always there until the end.
-    pool: Option<ThreadPool>,
-    threads: Vec<JoinHandle<()>>,
-}
-
-impl Pool {
-    fn new(threads: usize) -> std::result::Result<Self, rayon::ThreadPoolBuildError> {
-        let mut handles = Vec::new();
-        let pool = ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .spawn_handler(|thread| {
-                let name = format!("periodyn {}", thread.index());
-                handles.push(thread::Builder::new().name(name).spawn(|| thread.run())?);
-                Ok(())
-            })
-            .build()?;
-        Ok(Pool {
-            pool: Some(pool),
-            threads: handles,
-        })
-    }
-}
-
-impl Drop for Pool {
-    fn drop(&mut self) {
-        self.pool = None;
-        for thread in self.threads.drain(..) {
-            // Panics of work have been passed on to who asked for it.
-            let _ = thread.join();
-        }
-    }
-}
-
 /// Multiply-adds that take several times as long as threads take to meet.
 const WORTH_SHARING: usize = 300_000;
+/// Bytes that one thread takes some milliseconds to touch first.
+const LARGE: usize = 1 << 23;
 /// Parts that items are divided into, for each thread.
 const SHARES: usize = 8;
 
@@ -69,13 +41,28 @@ pub trait Pulse: Send + Sync {
 
 /// How often the thread that waits for others tells that they go on.
 const WAIT: Duration = Duration::from_millis(50);
-/// Looks at whether others have ended before a thread sleeps: some ten microseconds.
-const LOOKS: usize = 1000;
+
+/// Threads beside the calling one that share its items, and as many as work in all, for dense
+/// matrices.
+#[derive(Debug)]
+struct Pools {
+    helpers: Pool,
+    team: Pool,
+}
+
+impl Pools {
+    /// That which the calling thread is one of.
+    fn here(&self) -> Option<&Pool> {
+        [&self.helpers, &self.team]
+            .into_iter()
+            .find(|pool| pool.is_here())
+    }
+}
 
 /// One thread, or several, and who is told that they work.
 #[derive(Clone, Default)]
 pub struct Workers {
-    pool: Option<Arc<Pool>>,
+    pools: Option<Arc<Pools>>,
     pulse: Option<Arc<dyn Pulse>>,
     work: Arc<Work>,
 }
@@ -119,11 +106,12 @@ impl Running {
 
     /// Waits for their ends, first without sleep, as that takes longer than most waits.
     fn have_ended(&self, longest: Duration) -> bool {
-        for _ in 0..LOOKS {
+        let since = Instant::now();
+        while since.elapsed() < AWAKE {
             if !self.are_left() {
                 return true;
             }
-            std::hint::spin_loop();
+            thread::yield_now();
         }
         match self.lock.lock() {
             Ok(guard) => {
@@ -136,11 +124,6 @@ impl Running {
     }
 }
 
-/// Whether the calling thread is one of the pool's.
-fn is_in(pool: &ThreadPool) -> bool {
-    pool.current_thread_index().is_some()
-}
-
 impl Workers {
     /// So many threads; as many as there are processors if that is zero.
     ///
@@ -150,12 +133,20 @@ impl Workers {
         if threads == 1 {
             return Ok(Workers::default());
         }
-        let pool = Pool::new(threads).map_err(|e| {
-            let message = format!("options.threads: {threads} threads cannot be started: {e}");
-            Error::new(ErrorKind::OutOfMemory, message)
-        })?;
+        let pool = |threads: usize| {
+            Pool::new(threads).map_err(|e| {
+                let message = format!("options.threads: {threads} threads cannot be started: {e}");
+                Error::new(ErrorKind::OutOfMemory, message)
+            })
+        };
+        let team = pool(threads)?;
+        let others = team.pool.current_num_threads() - 1;
+        if others == 0 {
+            return Ok(Workers::default());
+        }
+        let helpers = pool(others)?;
         Ok(Workers {
-            pool: Some(Arc::new(pool)),
+            pools: Some(Arc::new(Pools { helpers, team })),
             ..Workers::default()
         })
     }
@@ -209,9 +200,18 @@ impl Workers {
         own: impl FnOnce() -> A,
         other: impl FnOnce() -> B + Send,
     ) -> (A, B) {
-        let Some(pool) = self.pool().filter(|pool| !is_in(pool)) else {
-            return (own(), other());
-        };
+        match &self.pools {
+            Some(pools) if pools.here().is_none() => self.both_in(&pools.helpers.pool, own, other),
+            _ => (own(), other()),
+        }
+    }
+
+    fn both_in<A, B: Send>(
+        &self,
+        pool: &ThreadPool,
+        own: impl FnOnce() -> A,
+        other: impl FnOnce() -> B + Send,
+    ) -> (A, B) {
         let running = Running::new(1);
         let result = Mutex::new(None);
         let found = pool.in_place_scope(|scope| {
@@ -233,30 +233,38 @@ impl Workers {
         }
     }
 
-    /// Does the same with each workspace: this thread begins with the first at once, threads of the
-    /// pool come with the others.
+    /// Does the same with each workspace: this thread begins with the first at once, others come
+    /// with theirs.
     fn together<S: Send>(
         &self,
-        pool: &ThreadPool,
+        pools: &Pools,
         workspaces: &mut [S],
         work: &(impl Fn(&mut S) + Sync),
     ) {
         let Some((own, others)) = workspaces.split_first_mut() else {
             return;
         };
+        // Threads of a pool take what others of it have not begun meanwhile.
+        if let Some(pool) = pools.here() {
+            pool.pool.in_place_scope(|scope| {
+                for other in others {
+                    scope.spawn(|_| work(other));
+                }
+                work(own);
+            });
+            return;
+        }
         let running = Running::new(others.len());
-        pool.in_place_scope(|scope| {
+        pools.helpers.pool.in_place_scope(|scope| {
             for other in others {
                 scope.spawn(|_| {
+                    stay_awake();
                     let _end = End(&running);
                     work(other);
                 });
             }
             work(own);
-            // Those of the pool take what others have not begun meanwhile.
-            if !is_in(pool) {
-                self.wait_for(&running);
-            }
+            self.wait_for(&running);
         });
     }
 
@@ -265,15 +273,14 @@ impl Workers {
         while !running.have_ended(WAIT) {
             self.beat();
         }
-    }
-
-    fn pool(&self) -> Option<&ThreadPool> {
-        self.pool.as_ref().and_then(|pool| pool.pool.as_ref())
+        // The pool notices an instant later, until which this thread would fall asleep.
+        thread::yield_now();
     }
 
     /// Number of threads.
     pub fn threads(&self) -> usize {
-        self.pool().map_or(1, ThreadPool::current_num_threads)
+        let team = self.pools.as_ref().map(|pools| &pools.team.pool);
+        team.map_or(1, ThreadPool::current_num_threads)
     }
 
     /// These threads, if work of about so many multiply-adds is worth sharing among them, or one.
@@ -287,7 +294,7 @@ impl Workers {
     /// The calling thread alone.
     pub fn alone(&self) -> Self {
         Workers {
-            pool: None,
+            pools: None,
             pulse: self.pulse.clone(),
             work: self.work.clone(),
         }
@@ -295,10 +302,25 @@ impl Workers {
 
     /// Does something with faer, by these threads.
     pub fn dense<R: Send>(&self, work: impl FnOnce(faer::Par) -> R + Send) -> R {
-        match self.pool() {
-            Some(_) => self.both(|| (), || work(faer::Par::rayon(0))).1,
+        match &self.pools {
+            Some(pools) if pools.here().is_some() => work(faer::Par::rayon(0)),
+            Some(pools) => {
+                let shared = || pools.team.wide_awake(|| work(faer::Par::rayon(0)));
+                self.both_in(&pools.team.pool, || (), shared).1
+            }
             None => work(faer::Par::Seq),
         }
+    }
+
+    /// A list of so many items, written by all threads if it is large: memory that is touched first
+    /// takes time.
+    pub fn list<T: Clone + Send + Sync>(&self, count: usize, item: T) -> Vec<T> {
+        if count.saturating_mul(size_of::<T>()) < LARGE || self.threads() == 1 {
+            return vec![item; count];
+        }
+        let mut list = Vec::with_capacity(count);
+        self.dense(|_| rayon::iter::repeat_n(item, count).collect_into_vec(&mut list));
+        list
     }
 
     /// Works on all items.
@@ -320,12 +342,12 @@ impl Workers {
         while workspaces.len() < threads {
             workspaces.push(new_workspace());
         }
-        match self.pool() {
-            Some(pool) if threads > 1 => {
+        match &self.pools {
+            Some(pools) if threads > 1 => {
                 let length = items.len().div_ceil(SHARES * threads);
                 let left = Mutex::new(items.chunks_mut(length).enumerate());
                 let next = || left.lock().ok().and_then(|mut left| left.next());
-                self.together(pool, &mut workspaces[..threads], &|workspace| {
+                self.together(pools, &mut workspaces[..threads], &|workspace| {
                     while let Some((part, items)) = next() {
                         for (i, item) in items.iter_mut().enumerate() {
                             work(workspace, part * length + i, item);

@@ -4,7 +4,11 @@ use crate::elements::{Measure, NodeState, Unknown, nearest_turn};
 use crate::fourier::TimeGrid;
 use crate::motion::Motion;
 use crate::system::{Placed, System};
+use crate::workers::Workers;
 use serde::{Deserialize, Serialize};
+
+/// Multiply-adds of a motion's increment, about.
+const INCREMENT: usize = 200;
 
 /// Angles are followed through larger turns of a node in parts: between them none moves half a
 /// turn.
@@ -212,30 +216,32 @@ impl GridState {
 
     /// The state after the fraction `step` of a Newton increment of all unknowns.
     pub fn incremented(&self, system: &System, increment: &[f64], step: f64) -> Self {
-        let all = |_| self.points;
-        self.incremented_some(system, (increment, step), &all, |_| ())
+        let (all, alone) = (|_| self.points, Workers::default());
+        self.incremented_some((system, &alone), (increment, step), &all, |_| ())
     }
 
     /// The same where motions of each node are incremented at so many grid points, from the first
     /// on; all others follow by `complete`.
     pub(super) fn incremented_some(
         &self,
-        system: &System,
+        (system, workers): (&System, &Workers),
         (increment, step): (&[f64], f64),
-        points_of: &dyn Fn(usize) -> usize,
+        points_of: &(impl Fn(usize) -> usize + Sync),
         complete: impl FnOnce(&mut [Motion]),
     ) -> Self {
         let mut next = self.clone();
         let layout = system.layout(self.points).with_scalars(self.scalars.len());
         let motions = &increment[layout.motions()];
-        for (node, of_node) in next.motions.chunks_exact_mut(self.points).enumerate() {
+        let workers = workers.for_work(INCREMENT * next.motions.len());
+        let mut nodes: Vec<_> = next.motions.chunks_exact_mut(self.points).collect();
+        workers.each(&mut nodes, |node, of_node| {
             let increments = motions[layout.node(node)].chunks_exact(6);
             let some = of_node.iter_mut().take(points_of(node));
             for (motion, u) in some.zip(increments) {
                 let u = nalgebra::Vector6::from_column_slice(u) * step;
                 *motion = motion.increment(&u).renormalised();
             }
-        }
+        });
         complete(&mut next.motions);
         next.track_along(system, self, motions, step);
         let add = |(value, change): (&mut f64, &f64)| *value += step * change;

@@ -55,11 +55,12 @@ impl Collocation {
     /// The state after the fraction `step` of an increment of all unknowns; where states are taken
     /// for alike, that of what leads tells it.
     pub(crate) fn stepped(&self, state: &GridState, increment: &[f64], step: f64) -> GridState {
+        let (here, change) = ((&*self.system, self.workers()), (increment, step));
         let Some(leaders) = &self.leaders else {
-            return state.incremented(&self.system, increment, step);
+            return state.incremented_some(here, change, &|_| state.points(), |_| ());
         };
         let points_of = |node: usize| leaders.points_of(node, state.points());
-        state.incremented_some(&self.system, (increment, step), &points_of, |motions| {
+        state.incremented_some(here, change, &points_of, |motions| {
             leaders.repeat_motions(motions);
         })
     }

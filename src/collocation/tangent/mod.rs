@@ -156,7 +156,7 @@ impl Tangent {
     /// For a system on a grid of so many points.
     pub fn new(system: &System, points: usize) -> Self {
         let layout = TangentLayout::new(system, false, &|_| points);
-        Self::with(layout, system.layout(points))
+        Self::with(layout, system.layout(points), &Workers::default())
     }
 
     /// The same with each element at so many grid points only, from the first on.
@@ -169,24 +169,30 @@ impl Tangent {
 
     /// The same with stress resultants apart.
     pub fn with_resultants_apart(system: &System, points: usize) -> Self {
-        Self::apart(system, points, &|_| points)
+        Self::apart(system, points, &|_| points, &Workers::default())
     }
 
     /// The same of equations, of which part of the period may tell what acts between some nodes.
     pub fn of_iteration(equations: &Collocation) -> Self {
         let points = equations.grid().points();
-        Self::apart(equations.system(), points, &|nodes| equations.told(nodes).0)
+        let told = |nodes: &[usize]| equations.told(nodes).0;
+        Self::apart(equations.system(), points, &told, equations.workers())
     }
 
-    fn apart(system: &System, points: usize, told: &dyn Fn(&[usize]) -> usize) -> Self {
+    fn apart(
+        system: &System,
+        points: usize,
+        told: &dyn Fn(&[usize]) -> usize,
+        workers: &Workers,
+    ) -> Self {
         let layout = TangentLayout::new(system, true, told);
         Tangent {
             keeps_rule: true,
-            ..Self::with(layout, system.layout(points))
+            ..Self::with(layout, system.layout(points), workers)
         }
     }
 
-    fn with(layout: TangentLayout, unknowns: Layout) -> Self {
+    fn with(layout: TangentLayout, unknowns: Layout, workers: &Workers) -> Self {
         let points = unknowns.points();
         Tangent {
             unknowns,
@@ -195,8 +201,8 @@ impl Tangent {
             is_constant: false,
             pairs: Default::default(),
             own: vec![OwnTangent::default(); layout.places.len()],
-            strains: vec![StrainTangent::default(); layout.strain_at.total()],
-            stresses: vec![DualVector::zeros(); layout.station_at.total()],
+            strains: workers.list(layout.strain_at.total(), StrainTangent::default()),
+            stresses: workers.list(layout.station_at.total(), DualVector::zeros()),
             resultant_scale: 1.0,
             increment: Increment::default(),
             rule: None,
@@ -374,7 +380,10 @@ impl Tangent {
         let strains = parts(&mut self.strains, counts);
         let own = division.deal(strains.zip(&mut self.own).zip(asked));
         let [stiffness, damping, mass] = self.pairs.each_mut().map(|list| {
-            list.resize(layout.coupling_at.total(), Matrix6::zeros());
+            let total = layout.coupling_at.total();
+            if list.len() != total {
+                *list = division.workers.list(total, Matrix6::zeros());
+            }
             let columns = |share: &Share| layout.couplings.of_columns(share.nodes.clone());
             let count = |share: &Share| layout.coupling_at.of_all(columns(share)).len();
             division.split_by(list, count).into_iter()

@@ -3,7 +3,7 @@
 
 use crate::error::Result;
 use crate::memory;
-use crate::workers::Workers;
+use crate::workers::{Workers, join};
 use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::{
     solve_lower_triangular_in_place, solve_unit_lower_triangular_in_place,
@@ -101,7 +101,7 @@ fn strips_from<T: Columns>(
     let each = |first, some| strips_from(first, some, most, (par, workers), work);
     let (left, right) = match par {
         Par::Seq => (each(first, left), each(first + half, right)),
-        Par::Rayon(_) => rayon::join(|| each(first, left), || each(first + half, right)),
+        Par::Rayon(_) => join(|| each(first, left), || each(first + half, right)),
     };
     left.and(right)
 }

@@ -3,7 +3,7 @@
 
 use crate::error::Result;
 use crate::solve::linear::blocks::strips;
-use crate::workers::Workers;
+use crate::workers::{Workers, join};
 use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::solve_unit_lower_triangular_in_place;
 use faer::{Accum, MatMut, MatRef, Par};
@@ -73,7 +73,7 @@ pub(crate) fn factor(
                 prepare();
                 reduce()?;
             }
-            Par::Rayon(_) => rayon::join(prepare, reduce).1?,
+            Par::Rayon(_) => join(prepare, reduce).1?,
         }
         done.push(own);
         (own, right) = (next, others);

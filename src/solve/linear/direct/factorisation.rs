@@ -4,11 +4,9 @@ use crate::error::Result;
 use crate::solve::linear::direct::analysis::Analysis;
 use crate::solve::linear::direct::sum::Sum;
 use crate::solve::linear::front::{Front, FrontWorkspace, LARGE_FRONT, NoPivot, make_room};
-use crate::workers::{Spare, Workers};
+use crate::workers::{Spare, Workers, join};
 use faer::{Mat, Par};
-use rayon::iter::{
-    IndexedParallelIterator, IntoParallelIterator, IntoParallelRefMutIterator, ParallelIterator,
-};
+use rayon::iter::{IndexedParallelIterator, IntoParallelRefMutIterator, ParallelIterator};
 use std::ops::Range;
 
 /// Most forks of the tree of fronts, one above the other, where threads part: each takes memory on
@@ -42,12 +40,16 @@ impl<'a> Factorisation<'a> {
 
     /// Factors all fronts. `false` if the matrix is singular.
     pub fn run(&self, fronts: &mut [Front]) -> Result<bool> {
-        self.workers.dense(|parallelism| match parallelism {
+        let workers = match self.analysis.work() < LARGE_FRONT {
+            true => self.workers.alone(),
+            false => self.workers.clone(),
+        };
+        workers.dense(|parallelism| match parallelism {
             Par::Seq => self.factor_in_order(0..fronts.len(), (0, fronts), parallelism),
             Par::Rayon(_) => {
                 self.make_room(fronts)?;
-                let subtrees = self.analysis.split(&self.analysis.roots(), fronts);
-                self.factor_all(subtrees, MOST_FORKS, parallelism)
+                let mut subtrees = self.analysis.split(&self.analysis.roots(), fronts);
+                self.factor_all(&mut subtrees, MOST_FORKS, parallelism)
             }
         })
     }
@@ -69,14 +71,20 @@ impl<'a> Factorisation<'a> {
     /// parent.
     fn factor_all(
         &self,
-        subtrees: Vec<(usize, &mut [Front])>,
+        subtrees: &mut [(usize, &mut [Front])],
         forks: usize,
         parallelism: Par,
     ) -> Result<bool> {
-        let results = subtrees
-            .into_par_iter()
-            .map(|(root, fronts)| self.factor_subtree(root, fronts, forks, parallelism));
-        results.reduce(|| Ok(true), |a, b| Ok(a? && b?))
+        if let [(root, fronts)] = subtrees {
+            return self.factor_subtree(*root, fronts, forks, parallelism);
+        }
+        if subtrees.is_empty() {
+            return Ok(true);
+        }
+        let (some, others) = subtrees.split_at_mut(subtrees.len() / 2);
+        let all = |subtrees| self.factor_all(subtrees, forks, parallelism);
+        let (some, others) = join(|| all(some), || all(others));
+        Ok(some? && others?)
     }
 
     /// Factors a subtree; where it divides, in parallel, for so many forks one above the other.
@@ -96,8 +104,8 @@ impl<'a> Factorisation<'a> {
         let mut next = first;
         if forks > 0 && analysis.subtrees[fork].0 > LARGE_FRONT {
             let before = &mut fronts[..fork - first];
-            let subtrees = analysis.split(&analysis.plans[fork].children, before);
-            if !self.factor_all(subtrees, forks - 1, parallelism)? {
+            let mut subtrees = analysis.split(&analysis.plans[fork].children, before);
+            if !self.factor_all(&mut subtrees, forks - 1, parallelism)? {
                 return Ok(false);
             }
             next = fork;

@@ -57,8 +57,10 @@ pub(crate) struct GmresEnd {
 /// Memory for long vectors, kept from one solve with a matrix to the next, as taking it takes time.
 #[derive(Default)]
 pub(crate) struct GmresWorkspace {
-    /// Orthonormal vectors, one behind the other, as many as there are.
+    /// Room for orthonormal vectors, one behind the other, of which a cycle fills the first.
     basis: Vec<f64>,
+    /// Entries that there is memory for.
+    allowed: usize,
     /// The right-hand side.
     b: Vec<f64>,
     /// What is left of it, preconditioned.
@@ -69,6 +71,8 @@ pub(crate) struct GmresWorkspace {
 
 /// Vectors that are kept at least, where memory is short.
 const LEAST_KEPT: usize = 20;
+/// Vectors that most solves do with.
+const FEW: usize = 12;
 /// Vectors that a solve takes beside those.
 const BESIDE: usize = 16;
 
@@ -80,12 +84,10 @@ impl GmresWorkspace {
     /// [`crate::error::ErrorKind::OutOfMemory`].
     pub fn take(&mut self, options: &mut GmresOptions, entries: usize) -> Result<()> {
         options.restart = options.restart.min(options.iteration_limit);
-        self.basis.clear();
-        while self.basis.capacity() < (options.restart + 1) * entries {
+        while self.allowed < (options.restart + 1) * entries {
             let bytes = (options.restart + BESIDE).saturating_mul(entries * size_of::<f64>());
             match memory::require("vectors of the iteration", bytes) {
-                // What is not written to is not taken, nor filled: few solves keep them all.
-                Ok(()) => self.basis = Vec::with_capacity((options.restart + 1) * entries),
+                Ok(()) => self.allowed = (options.restart + 1) * entries,
                 Err(_) if options.restart > LEAST_KEPT => {
                     // That of the solves before first.
                     self.basis = Vec::new();
@@ -95,6 +97,16 @@ impl GmresWorkspace {
             }
         }
         Ok(())
+    }
+
+    /// Makes room for so many entries, those that there are kept. What is only zero takes no memory
+    /// before it is written to, by several threads.
+    fn make_room(&mut self, entries: usize) {
+        if self.basis.len() < entries {
+            let mut more = vec![0.0; (2 * entries).min(self.allowed).max(entries)];
+            more[..self.basis.len()].copy_from_slice(&self.basis);
+            self.basis = more;
+        }
     }
 
     /// What the last cycle has found of the operator, of vectors of so many entries, with the
@@ -200,20 +212,24 @@ impl<P: Preconditioned> Run<'_, P> {
             operator,
             vectors,
             options,
+            workspace,
             ..
         } = self;
-        let GmresWorkspace { basis, rest, .. } = &mut *self.workspace;
         let (size, found) = (x.len(), vectors.norm(x));
         let products = (options.restart).min(options.iteration_limit - self.end.iterations);
-        basis.resize(size, 0.0);
+        workspace.make_room(FEW * size);
+        let GmresWorkspace { basis, rest, .. } = &mut **workspace;
+        let basis = &mut basis[..size];
         vectors.sums(basis, 1, |first, v, _| {
             let rest = &rest[first..][..v.len()];
             v.iter_mut().zip(rest).for_each(|(v, r)| *v = r / before);
         });
         let mut least = LeastSquares::new(before);
         for j in 0..products {
-            basis.resize((j + 2) * size, 0.0);
+            workspace.make_room((j + 2) * size);
+            let GmresWorkspace { basis, rest, .. } = &mut **workspace;
             let (known, w) = basis.split_at_mut((j + 1) * size);
+            let w = &mut w[..size];
             operator.product(&known[j * size..], w);
             operator.precondition(w);
             self.end.iterations += 1;
@@ -235,7 +251,8 @@ impl<P: Preconditioned> Run<'_, P> {
             self.end.error = error / (self.share.unwrap_or(1.0) * whole);
             if self.end.error <= options.tolerance && self.share.is_none() {
                 // Only now, as it takes a pass over all vectors.
-                let share = vectors.smaller_share(x, basis, &y, options.parts);
+                let sum = (&*x, &basis[..], &y[..]);
+                let share = vectors.smaller_share(sum, rest, options.parts);
                 let [first, second] = vectors.weights;
                 let share = share.max(FINEST * first.max(second) / options.tolerance);
                 self.share = Some(share);
@@ -253,7 +270,7 @@ impl<P: Preconditioned> Run<'_, P> {
                 break;
             }
         }
-        vectors.add(x, basis, &least.solve());
+        vectors.add(x, &workspace.basis, &least.solve());
         let left = match options.is_verified || self.end.error > options.tolerance {
             true => self.verify(x, &least),
             false => least.rest(),

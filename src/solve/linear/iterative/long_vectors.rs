@@ -120,12 +120,18 @@ impl Vectors<'_> {
         [squares[0].sqrt(), squares[1].sqrt()]
     }
 
-    /// Size of the smaller of the two parts of `x + V y`, relative to the whole.
-    pub fn smaller_share(&self, x: &[f64], basis: &[f64], y: &[f64], parts: Parts) -> f64 {
-        let mut sum = x.to_vec();
-        self.add(&mut sum, basis, y);
-        let whole = self.norm(&mut sum);
-        let sizes = self.sizes(&mut sum);
+    /// Size of the smaller of the two parts of `x + V y`, relative to the whole. `sum` is room for
+    /// that.
+    pub fn smaller_share(
+        &self,
+        (x, basis, y): (&[f64], &[f64], &[f64]),
+        sum: &mut [f64],
+        parts: Parts,
+    ) -> f64 {
+        sum.copy_from_slice(x);
+        self.add(sum, basis, y);
+        let whole = self.norm(sum);
+        let sizes = self.sizes(sum);
         let asked = if parts == Parts::LeadingAlone { 1 } else { 2 };
         let shares = sizes[..asked].iter().map(|size| size / whole);
         // Of nothing nothing more can be asked than that the rest is right.
