@@ -244,27 +244,26 @@ impl Workers {
         let Some((own, others)) = workspaces.split_first_mut() else {
             return;
         };
-        // Threads of a pool take what others of it have not begun meanwhile.
-        if let Some(pool) = pools.here() {
-            pool.pool.in_place_scope(|scope| {
-                for other in others {
-                    scope.spawn(|_| work(other));
-                }
-                work(own);
-            });
-            return;
-        }
+        // Threads of a pool take what others of it have not begun meanwhile, others wait.
+        let (pool, is_outside) = match pools.here() {
+            Some(pool) => (pool, false),
+            None => (&pools.helpers, true),
+        };
         let running = Running::new(others.len());
-        pools.helpers.pool.in_place_scope(|scope| {
+        pool.pool.in_place_scope(|scope| {
             for other in others {
                 scope.spawn(|_| {
-                    stay_awake();
+                    if is_outside {
+                        stay_awake();
+                    }
                     let _end = End(&running);
                     work(other);
                 });
             }
             work(own);
-            self.wait_for(&running);
+            if is_outside {
+                self.wait_for(&running);
+            }
         });
     }
 

@@ -7,7 +7,8 @@ use crate::solve::linear::dense::largest;
 use crate::solve::linear::lu;
 use crate::solve::linear::partial_lu::factor_partially;
 use crate::workers::Workers;
-use faer::{Mat, MatRef, Par};
+use faer::perm::swap_cols_idx;
+use faer::{Mat, Par};
 
 /// Multiply-adds of a front, or several, that are worth sharing among threads.
 pub(crate) const LARGE_FRONT: f64 = 2e7;
@@ -26,9 +27,10 @@ pub(crate) struct Front {
     /// the order of their pivots.
     pub rows: Vec<usize>,
     pub columns: Vec<usize>,
-    /// `L`, `U` and, to their right, `U₁₂`; before, `F₁₁` and `F₁₂`.
+    /// `L`, `U` and, to their right, `U₁₂`; before, `F₁₁` and `F₁₂`. Below them are the rows of
+    /// equations without pivots: of `L`, and what is left.
     pub upper: Mat<f64>,
-    /// `L₂₁`; before, `F₂₁`.
+    /// `L₂₁`, and to its right what is left of unknowns without pivots; before, `F₂₁`.
     pub lower: Mat<f64>,
     /// Whether it was found singular on its own: what has no pivot waits for the parent's ever
     /// after.
@@ -38,8 +40,7 @@ pub(crate) struct Front {
     pub delayed_columns: Vec<usize>,
     /// How large these columns have been: what is left of them may be rounding.
     pub delayed_sizes: Vec<f64>,
-    /// What is left of their entries, and behind them of those of the boundary, until the parent
-    /// takes it.
+    /// What is left of the boundary, until the parent takes it.
     pub remainder: Mat<f64>,
     /// Largest entry of the matrix that enters here.
     pub largest_entry: f64,
@@ -156,6 +157,31 @@ impl Front {
         Ok(true)
     }
 
+    /// How many unknowns are left, without pivots and of the boundary.
+    pub fn left_over(&self) -> usize {
+        self.upper.ncols() - self.rows.len()
+    }
+
+    /// The rows of a column of the factors below their pivots: of equations without pivots, and of
+    /// the boundary.
+    pub fn below(&self, column: usize) -> [&[f64]; 2] {
+        let upper = &self.upper.col_as_slice(column)[self.rows.len()..];
+        [upper, self.lower.col_as_slice(column)]
+    }
+
+    /// A column of what is left, of unknowns without pivots and then of the boundary: rows of
+    /// equations without pivots, and of the boundary.
+    pub fn left(&self, column: usize) -> [&[f64]; 2] {
+        let place = self.rows.len() + column;
+        match place.checked_sub(self.upper.nrows()) {
+            None => self.below(place),
+            Some(beyond) => {
+                let upper = &self.upper.col_as_slice(place)[self.rows.len()..];
+                [upper, self.remainder.col_as_slice(beyond)]
+            }
+        }
+    }
+
     /// Updates the largest sizes that its columns have had.
     fn measure_columns(&self, sizes: &mut [f64]) {
         for (j, size) in sizes.iter_mut().enumerate() {
@@ -195,23 +221,26 @@ impl Front {
             return Ok(false);
         }
         self.rows = order.iter().map(|&row| self.rows[row]).collect();
-        let (factors, beyond) = self.upper.as_ref().split_at_col(count);
-        // L₂₁ U = F₂₁, transposed: Uᵀ L₂₁ᵀ = F₂₁ᵀ.
-        let transposed = self.lower.as_mut().transpose_mut();
-        blocks::solve_lower(
-            (factors.transpose(), Diagonal::Own),
-            transposed,
-            parallelism,
-            workers,
-        )?;
-        blocks::subtract_matmul(
-            self.remainder.as_mut(),
-            self.lower.as_ref(),
-            beyond,
-            parallelism,
-            workers,
-        )?;
+        self.reduce_boundary(parallelism, workers)?;
         Ok(true)
+    }
+
+    /// Reduces the rows of the boundary, once the unknowns that have pivots are known.
+    fn reduce_boundary(&mut self, parallelism: Par, workers: &Workers) -> Result<()> {
+        let (count, own) = (self.rows.len(), self.upper.nrows());
+        let upper = self.upper.as_ref().subrows(0, count);
+        let (square, beyond) = upper.split_at_col(count);
+        let (delayed, boundary) = beyond.split_at_col(own - count);
+        let (mut lower, left) = self.lower.as_mut().split_at_col_mut(count);
+        // L₂₁ U = F₂₁, transposed: Uᵀ L₂₁ᵀ = F₂₁ᵀ.
+        let transposed = lower.as_mut().transpose_mut();
+        let square = (square.transpose(), Diagonal::Own);
+        blocks::solve_lower(square, transposed, parallelism, workers)?;
+        let remainder = self.remainder.as_mut();
+        for (left, beyond) in [(left, delayed), (remainder, boundary)] {
+            blocks::subtract_matmul(left, lower.as_ref(), beyond, parallelism, workers)?;
+        }
+        Ok(())
     }
 
     /// Eliminates the unknowns that have pivots.
@@ -221,7 +250,7 @@ impl Front {
         workspace: &mut FrontWorkspace,
         parallelism: Par,
     ) -> Result<()> {
-        let (own, size) = (self.upper.nrows(), self.upper.ncols());
+        let own = self.upper.nrows();
         self.measure_columns(&mut workspace.sizes);
         // A column that is tiny but for its rows in the boundary has its pivot there.
         for (j, size) in workspace.sizes.iter_mut().enumerate() {
@@ -242,40 +271,22 @@ impl Front {
         self.delayed_columns = self.columns.split_off(count);
         self.delayed_sizes
             .extend_from_slice(&workspace.sizes[count..]);
+        exchange_columns(&mut self.lower, order);
+        self.reduce_boundary(parallelism, &workspace.workers)
+    }
+}
 
-        let delayed = own - count;
-        let (factored, unfactored) = self.upper.as_ref().split_at_row(count);
-        let mut upper = Mat::new();
-        make_room(&mut upper, count, size)?;
-        upper.copy_from(factored);
-        let mut lower = Mat::new();
-        make_room(&mut lower, size - count, count)?;
-        let (mut above, mut below) = lower.as_mut().split_at_row_mut(delayed);
-        above.copy_from(unfactored.subcols(0, count));
-        let column = |j: usize| self.lower.col(order[j]);
-        (0..count).for_each(|j| below.as_mut().col_mut(j).copy_from(column(j)));
-        let square = upper.as_ref().subcols(0, count);
-        let transposed = below.as_mut().transpose_mut();
-        blocks::solve_lower(
-            (square.transpose(), Diagonal::Own),
-            transposed,
-            parallelism,
-            &workspace.workers,
-        )?;
-
-        let mut remainder = Mat::new();
-        make_room(&mut remainder, size - count, size - count)?;
-        let (mut first_rows, mut rest) = remainder.as_mut().split_at_row_mut(delayed);
-        first_rows.copy_from(unfactored.subcols(count, size - count));
-        for j in 0..delayed {
-            rest.as_mut().col_mut(j).copy_from(column(count + j));
+/// Puts the columns of a matrix in this order.
+fn exchange_columns(matrix: &mut Mat<f64>, mut order: Vec<usize>) {
+    for j in 0..order.len() {
+        // Around the cycle that begins here.
+        let mut to = j;
+        while order[to] != j {
+            let from = order[to];
+            swap_cols_idx(matrix.as_mut(), to, from);
+            order[to] = to;
+            to = from;
         }
-        let boundary = rest.as_mut().subcols_mut(delayed, size - own);
-        { boundary }.copy_from(self.remainder.as_ref());
-        let beyond: MatRef<f64> = upper.as_ref().subcols(count, size - count);
-        let workers = &workspace.workers;
-        blocks::subtract_matmul(rest, below.as_ref(), beyond, parallelism, workers)?;
-        (self.upper, self.lower, self.remainder) = (upper, lower, remainder);
-        Ok(())
+        order[to] = to;
     }
 }

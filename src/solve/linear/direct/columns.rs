@@ -4,6 +4,7 @@
 use super::DirectSolver;
 use crate::error::Result;
 use crate::solve::linear::blocks::{Diagonal, solve_lower, solve_upper, subtract_matmul};
+use crate::solve::linear::front::Front;
 use faer::{Mat, MatMut, Par};
 
 /// Memory for substitutions of several right sides.
@@ -46,7 +47,7 @@ impl DirectSolver {
             return Ok(false);
         }
         let (size, count) = (rhs.nrows(), rhs.ncols());
-        let beyond = self.fronts.iter().map(|front| front.lower.nrows());
+        let beyond = self.fronts.iter().map(Front::left_over);
         memory.resize(size, beyond.max().unwrap_or(0), count);
         let (mut reduced, mut boundary) = (
             memory.reduced.as_mut().subcols_mut(0, count),
@@ -58,17 +59,16 @@ impl DirectSolver {
             let own = front.rows.len();
             let mut y = reduced.as_mut().subrows_mut(first, own);
             self.gather_columns(&front.rows, &[], rhs.as_mut(), y.as_mut());
-            let factors = front.upper.as_ref().subcols(0, own);
-            solve_lower(
-                (factors, Diagonal::Ones),
-                y.as_mut(),
-                Par::Seq,
-                &self.workers,
-            )?;
-            let mut local = boundary.as_mut().subrows_mut(0, front.lower.nrows());
+            let (square, delayed) = front.upper.as_ref().subcols(0, own).split_at_row(own);
+            let square = (square, Diagonal::Ones);
+            solve_lower(square, y.as_mut(), Par::Seq, &self.workers)?;
+            let mut local = boundary.as_mut().subrows_mut(0, front.left_over());
             self.gather_columns(&front.delayed_rows, groups, rhs.as_mut(), local.as_mut());
-            let (lower, y) = (front.lower.as_ref(), y.as_ref());
-            subtract_matmul(local.as_mut(), lower, y, Par::Seq, &self.workers)?;
+            let (above, below) = local.as_mut().split_at_row_mut(delayed.nrows());
+            let lower = front.lower.as_ref().subcols(0, own);
+            for (part, factors) in [(above, delayed), (below, lower)] {
+                subtract_matmul(part, factors, y.as_ref(), Par::Seq, &self.workers)?;
+            }
             self.scatter_columns(&front.delayed_rows, groups, local, rhs.as_mut());
             first += own;
         }
@@ -76,9 +76,10 @@ impl DirectSolver {
             let own = front.rows.len();
             first -= own;
             let mut y = reduced.as_mut().subrows_mut(first, own);
-            let mut local = boundary.as_mut().subrows_mut(0, front.lower.nrows());
+            let mut local = boundary.as_mut().subrows_mut(0, front.left_over());
             self.gather_columns(&front.delayed_columns, groups, rhs.as_mut(), local.as_mut());
-            let (factors, beyond) = front.upper.as_ref().split_at_col(own);
+            let upper = front.upper.as_ref().subrows(0, own);
+            let (factors, beyond) = upper.split_at_col(own);
             subtract_matmul(y.as_mut(), beyond, local.as_ref(), Par::Seq, &self.workers)?;
             solve_upper(factors, y.as_mut(), Par::Seq, &self.workers)?;
             for (mut to, from) in rhs.as_mut().col_iter_mut().zip(y.as_ref().col_iter()) {

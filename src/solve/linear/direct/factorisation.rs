@@ -40,11 +40,7 @@ impl<'a> Factorisation<'a> {
 
     /// Factors all fronts. `false` if the matrix is singular.
     pub fn run(&self, fronts: &mut [Front]) -> Result<bool> {
-        let workers = match self.analysis.work() < LARGE_FRONT {
-            true => self.workers.alone(),
-            false => self.workers.clone(),
-        };
-        workers.dense(|parallelism| match parallelism {
+        self.workers.dense(|parallelism| match parallelism {
             Par::Seq => self.factor_in_order(0..fronts.len(), (0, fronts), parallelism),
             Par::Rayon(_) => {
                 self.make_room(fronts)?;

@@ -20,7 +20,7 @@ use crate::solve::linear::dense::{
 };
 use crate::solve::linear::direct::analysis::Analysis;
 use crate::solve::linear::direct::factorisation::Factorisation;
-use crate::solve::linear::front::Front;
+use crate::solve::linear::front::{Front, LARGE_FRONT};
 use crate::solve::linear::solver::COARSE;
 use crate::work::{OF_FACTORS, SUBSTITUTION};
 use crate::workers::Workers;
@@ -131,7 +131,10 @@ impl DirectSolver {
     fn factor_fronts(&mut self, values: &[f64]) -> Result<bool> {
         let analysis = &self.analysis;
         self.workers.work().spend(OF_FACTORS * analysis.work());
-        let workers = self.workers.for_work(analysis.work() as usize);
+        let workers = match analysis.work() < LARGE_FRONT {
+            true => self.workers.alone(),
+            false => self.workers.clone(),
+        };
         Factorisation::new(analysis, values, self.smallest_pivot, &workers).run(&mut self.fronts)
     }
 
@@ -182,7 +185,10 @@ impl DirectSolver {
             let first = reduced.len() - front.rows.len();
             let y = &mut reduced[first..];
             self.gather(&front.delayed_rows, &plan.boundary, rhs, &mut local);
-            subtract_transposed(y, |j| front.lower.col_as_slice(j), &local);
+            let (delayed, boundary) = local.split_at(front.delayed_rows.len());
+            for (rows, part) in [delayed, boundary].into_iter().enumerate() {
+                subtract_transposed(y, |j| front.below(j)[rows], part);
+            }
             solve_unit_lower_transposed(|j| front.upper.col_as_slice(j), y);
             for (&row, x) in front.rows.iter().zip(&*y) {
                 rhs[row] = *x;

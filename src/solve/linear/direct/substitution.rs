@@ -138,7 +138,10 @@ impl DirectSolver {
             let y = &mut reduced[first..];
             lower(workers, |j| front.upper.col_as_slice(j), y);
             self.gather(&front.delayed_rows, &plan.boundary, rhs, &mut local);
-            subtract(workers, &mut local, |j| front.lower.col_as_slice(j), y);
+            let (delayed, boundary) = local.split_at_mut(front.delayed_rows.len());
+            for (rows, part) in [delayed, boundary].into_iter().enumerate() {
+                subtract(workers, part, |j| front.below(j)[rows], y);
+            }
             self.scatter(&front.delayed_rows, &plan.boundary, &local, rhs);
         }
     }

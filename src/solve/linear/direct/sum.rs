@@ -8,7 +8,7 @@ use crate::solve::linear::dense::largest;
 use crate::solve::linear::direct::analysis::Analysis;
 use crate::solve::linear::front::{Front, make_room};
 use crate::workers::Workers;
-use faer::{Mat, MatMut, Par};
+use faer::{MatMut, Par};
 use std::iter::once;
 use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -18,8 +18,8 @@ const STRIP: usize = 1 << 16;
 
 /// What is left of a front that leads here.
 struct Child<'a> {
-    remainder: &'a Mat<f64>,
-    /// Where its rows and columns belong, and how many come together.
+    front: &'a Front,
+    /// Where its rows and columns belong, and how many come together: those without pivots first.
     places: Vec<(usize, usize)>,
 }
 
@@ -53,10 +53,7 @@ impl<'a> Sum<'a> {
             let groups = groups.map(|&g| (place[g], analysis.groups[g].len()));
             let places = once((delayed_place, delayed)).chain(groups).collect();
             delayed_place += delayed;
-            Child {
-                remainder: &front.remainder,
-                places,
-            }
+            Child { front, places }
         });
         Sum {
             values,
@@ -127,17 +124,21 @@ impl<'a> Sum<'a> {
             }
         }
         self.largest.fetch_max(most.to_bits(), Ordering::Relaxed);
-        for Child { remainder, places } in &self.children {
+        for Child { front, places } in &self.children {
             let mut source = 0;
             for &(start, length) in places {
                 for column in within(&columns, start, length) {
-                    let mut entries = remainder.col_as_slice(source + column - start);
-                    for &(row, length) in places {
-                        let (now, others) = entries.split_at(length);
-                        entries = others;
-                        part(row, column, length, &mut |to| {
-                            to.iter_mut().zip(now).for_each(|(t, s)| *t += s);
+                    let [delayed, mut boundary] = front.left(source + column - start);
+                    let mut add = |row: usize, entries: &[f64]| {
+                        part(row, column, entries.len(), &mut |to| {
+                            to.iter_mut().zip(entries).for_each(|(t, s)| *t += s);
                         });
+                    };
+                    add(places[0].0, delayed);
+                    for &(row, length) in &places[1..] {
+                        let (entries, others) = boundary.split_at(length);
+                        add(row, entries);
+                        boundary = others;
                     }
                 }
                 source += length;

@@ -59,8 +59,6 @@ pub(crate) struct GmresEnd {
 pub(crate) struct GmresWorkspace {
     /// Room for orthonormal vectors, one behind the other, of which a cycle fills the first.
     basis: Vec<f64>,
-    /// Entries that there is memory for.
-    allowed: usize,
     /// The right-hand side.
     b: Vec<f64>,
     /// What is left of it, preconditioned.
@@ -69,6 +67,8 @@ pub(crate) struct GmresWorkspace {
     found: Option<(LeastSquares, [usize; 2], [f64; 2])>,
 }
 
+/// What memory is taken for.
+const VECTORS: &str = "vectors of the iteration";
 /// Vectors that are kept at least, where memory is short.
 const LEAST_KEPT: usize = 20;
 /// Vectors that most solves do with.
@@ -84,10 +84,10 @@ impl GmresWorkspace {
     /// [`crate::error::ErrorKind::OutOfMemory`].
     pub fn take(&mut self, options: &mut GmresOptions, entries: usize) -> Result<()> {
         options.restart = options.restart.min(options.iteration_limit);
-        while self.allowed < (options.restart + 1) * entries {
+        while self.basis.len() < (options.restart + 1) * entries {
             let bytes = (options.restart + BESIDE).saturating_mul(entries * size_of::<f64>());
-            match memory::require("vectors of the iteration", bytes) {
-                Ok(()) => self.allowed = (options.restart + 1) * entries,
+            match memory::require(VECTORS, bytes) {
+                Ok(()) => break,
                 Err(_) if options.restart > LEAST_KEPT => {
                     // That of the solves before first.
                     self.basis = Vec::new();
@@ -99,14 +99,17 @@ impl GmresWorkspace {
         Ok(())
     }
 
-    /// Makes room for so many entries, those that there are kept. What is only zero takes no memory
-    /// before it is written to, by several threads.
-    fn make_room(&mut self, entries: usize) {
+    /// Makes room for so many entries, and for as many more, but no more than `most`; keeps what
+    /// there is. What is only zero takes no memory before it is written to, by several threads.
+    fn make_room(&mut self, entries: usize, most: usize) -> Result<()> {
         if self.basis.len() < entries {
-            let mut more = vec![0.0; (2 * entries).min(self.allowed).max(entries)];
+            let count = (2 * entries).min(most).max(entries);
+            memory::require_items(VECTORS, count, size_of::<f64>())?;
+            let mut more = vec![0.0; count];
             more[..self.basis.len()].copy_from_slice(&self.basis);
             self.basis = more;
         }
+        Ok(())
     }
 
     /// What the last cycle has found of the operator, of vectors of so many entries, with the
@@ -180,7 +183,8 @@ pub(crate) fn gmres(
     };
     while run.end.error > options.tolerance && run.end.iterations < options.iteration_limit {
         let before = run.vectors.norm(&mut run.workspace.rest);
-        let progress = (run.cycle(rhs, before)).is_some_and(|left| left < STAGNATION * before);
+        let left = run.cycle(rhs, before)?;
+        let progress = left.is_some_and(|left| left < STAGNATION * before);
         if run.is_hopeless {
             break;
         }
@@ -207,7 +211,10 @@ struct Run<'a, P> {
 impl<P: Preconditioned> Run<'_, P> {
     /// Improves `x` by a cycle, from a residual of size `before`; returns the size of what is left.
     /// `None` if work is to end.
-    fn cycle(&mut self, x: &mut [f64], before: f64) -> Option<f64> {
+    ///
+    /// # Errors
+    /// If memory runs out.
+    fn cycle(&mut self, x: &mut [f64], before: f64) -> Result<Option<f64>> {
         let Run {
             operator,
             vectors,
@@ -217,7 +224,8 @@ impl<P: Preconditioned> Run<'_, P> {
         } = self;
         let (size, found) = (x.len(), vectors.norm(x));
         let products = (options.restart).min(options.iteration_limit - self.end.iterations);
-        workspace.make_room(FEW * size);
+        let most = (options.restart + 1) * size;
+        workspace.make_room((FEW * size).min(most), most)?;
         let GmresWorkspace { basis, rest, .. } = &mut **workspace;
         let basis = &mut basis[..size];
         vectors.sums(basis, 1, |first, v, _| {
@@ -226,7 +234,7 @@ impl<P: Preconditioned> Run<'_, P> {
         });
         let mut least = LeastSquares::new(before);
         for j in 0..products {
-            workspace.make_room((j + 2) * size);
+            workspace.make_room((j + 2) * size, most)?;
             let GmresWorkspace { basis, rest, .. } = &mut **workspace;
             let (known, w) = basis.split_at_mut((j + 1) * size);
             let w = &mut w[..size];
@@ -235,7 +243,7 @@ impl<P: Preconditioned> Run<'_, P> {
             self.end.iterations += 1;
             if vectors.workers.pulse().is_err() {
                 self.end.error = f64::INFINITY;
-                return None;
+                return Ok(None);
             }
             let (column, length) = vectors.project_out(known, w);
             if length > 0.0 {
@@ -277,7 +285,7 @@ impl<P: Preconditioned> Run<'_, P> {
         };
         let Vectors { ends, weights, .. } = self.vectors;
         self.workspace.found = Some((least, ends, weights));
-        Some(left)
+        Ok(Some(left))
     }
 
     /// Finds the size of what is left of `x` by another product: what rounding in the
