@@ -40,7 +40,7 @@ pub(crate) struct Front {
     pub delayed_columns: Vec<usize>,
     /// How large these columns have been: what is left of them may be rounding.
     pub delayed_sizes: Vec<f64>,
-    /// What is left of the boundary, until the parent takes it.
+    /// What is left of the boundary, for the parent to take.
     pub remainder: Mat<f64>,
     /// Largest entry of the matrix that enters here.
     pub largest_entry: f64,
@@ -60,6 +60,11 @@ pub(crate) enum NoPivot {
 pub(crate) fn elimination_work(count: usize, rest: usize) -> f64 {
     let (own, rest) = (count as f64, rest as f64);
     own * own * own / 3.0 + own * own * rest + own * rest * rest
+}
+
+/// Whether what is left of so many others is no more than a third of the factors.
+fn keeps_remainder(own: usize, rest: usize) -> bool {
+    rest <= own
 }
 
 /// Gives a matrix this size; what is in it is to be written.
@@ -111,10 +116,53 @@ impl Front {
         }
     }
 
-    /// Numbers that its factors take.
+    /// Numbers of its factors.
     pub fn numbers(&self) -> usize {
-        let (upper, lower) = (&self.upper, &self.lower);
-        upper.nrows() * upper.ncols() + lower.nrows() * lower.ncols()
+        let count = self.rows.len();
+        count * (count + 2 * self.left_over())
+    }
+
+    /// How many unknowns are left, without pivots and of the boundary.
+    pub fn left_over(&self) -> usize {
+        self.upper.ncols().saturating_sub(self.rows.len())
+    }
+
+    /// The rows of a column of the factors below their pivots: of equations without pivots, and of
+    /// the boundary.
+    pub fn below(&self, column: usize) -> [&[f64]; 2] {
+        let upper = &self.upper.col_as_slice(column)[self.rows.len()..];
+        [upper, self.lower.col_as_slice(column)]
+    }
+
+    /// A column of what is left, of unknowns without pivots and then of the boundary: rows of
+    /// equations without pivots, and of the boundary.
+    pub fn left(&self, column: usize) -> [&[f64]; 2] {
+        let place = self.rows.len() + column;
+        match place.checked_sub(self.upper.nrows()) {
+            None => self.below(place),
+            Some(beyond) => {
+                let upper = &self.upper.col_as_slice(place)[self.rows.len()..];
+                [upper, self.remainder.col_as_slice(beyond)]
+            }
+        }
+    }
+
+    /// Gives back the memory of what was left of the boundary, if that is much beside the factors;
+    /// else it is kept for the next ones, as memory that is touched first takes time.
+    pub fn release(&mut self) {
+        if !keeps_remainder(self.upper.nrows(), self.lower.nrows()) {
+            self.remainder = Mat::new();
+        }
+    }
+
+    /// Makes room for `own` rows and columns, and `rest` in the boundary: of what is kept.
+    pub fn make_room(&mut self, own: usize, rest: usize) -> Result<()> {
+        make_room(&mut self.upper, own, own + rest)?;
+        make_room(&mut self.lower, rest, own)?;
+        match keeps_remainder(own, rest) {
+            true => make_room(&mut self.remainder, rest, rest),
+            false => Ok(()),
+        }
     }
 
     /// Eliminates the unknowns of the front, which `assemble` sums up, but for those without
@@ -155,31 +203,6 @@ impl Front {
             parallelism,
         )?;
         Ok(true)
-    }
-
-    /// How many unknowns are left, without pivots and of the boundary.
-    pub fn left_over(&self) -> usize {
-        self.upper.ncols() - self.rows.len()
-    }
-
-    /// The rows of a column of the factors below their pivots: of equations without pivots, and of
-    /// the boundary.
-    pub fn below(&self, column: usize) -> [&[f64]; 2] {
-        let upper = &self.upper.col_as_slice(column)[self.rows.len()..];
-        [upper, self.lower.col_as_slice(column)]
-    }
-
-    /// A column of what is left, of unknowns without pivots and then of the boundary: rows of
-    /// equations without pivots, and of the boundary.
-    pub fn left(&self, column: usize) -> [&[f64]; 2] {
-        let place = self.rows.len() + column;
-        match place.checked_sub(self.upper.nrows()) {
-            None => self.below(place),
-            Some(beyond) => {
-                let upper = &self.upper.col_as_slice(place)[self.rows.len()..];
-                [upper, self.remainder.col_as_slice(beyond)]
-            }
-        }
     }
 
     /// Updates the largest sizes that its columns have had.

@@ -3,9 +3,9 @@
 use crate::error::Result;
 use crate::solve::linear::direct::analysis::Analysis;
 use crate::solve::linear::direct::sum::Sum;
-use crate::solve::linear::front::{Front, FrontWorkspace, LARGE_FRONT, NoPivot, make_room};
+use crate::solve::linear::front::{Front, FrontWorkspace, LARGE_FRONT, NoPivot};
 use crate::workers::{Spare, Workers, join};
-use faer::{Mat, Par};
+use faer::Par;
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefMutIterator, ParallelIterator};
 use std::ops::Range;
 
@@ -50,17 +50,13 @@ impl<'a> Factorisation<'a> {
         })
     }
 
-    /// Makes room for the factors of fronts that have none yet, side by side: memory that is
-    /// touched first takes time.
+    /// Makes room for the factors of fronts that have none yet, and for what they leave where that
+    /// is kept, side by side: memory that is touched first takes time.
     fn make_room(&self, fronts: &mut [Front]) -> Result<()> {
         let size = |groups: &[usize]| self.analysis.size_of(groups);
         let all = fronts.par_iter_mut().zip(&self.analysis.plans);
         all.filter(|(front, _)| front.numbers() == 0)
-            .try_for_each(|(front, plan)| {
-                let (own, rest) = (size(&plan.own), size(&plan.boundary));
-                make_room(&mut front.upper, own, own + rest)?;
-                make_room(&mut front.lower, rest, own)
-            })
+            .try_for_each(|(front, plan)| front.make_room(size(&plan.own), size(&plan.boundary)))
     }
 
     /// Factors subtrees, each with its fronts, in parallel. `false` if a singular front has no
@@ -174,7 +170,7 @@ impl<'a> Factorisation<'a> {
             return Ok(false);
         }
         for &child in &plan.children {
-            before[child - first].remainder = Mat::new();
+            before[child - first].release();
         }
         Ok(true)
     }

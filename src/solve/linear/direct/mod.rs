@@ -24,7 +24,6 @@ use crate::solve::linear::front::{Front, LARGE_FRONT};
 use crate::solve::linear::solver::COARSE;
 use crate::work::{OF_FACTORS, SUBSTITUTION};
 use crate::workers::Workers;
-use faer::Mat;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -119,9 +118,7 @@ impl DirectSolver {
         self.correction = f64::INFINITY;
         self.factored = false;
         let regular = self.factor_fronts(values);
-        for front in &mut self.fronts {
-            front.remainder = Mat::new();
-        }
+        self.fronts.iter_mut().for_each(Front::release);
         self.factored = regular?;
         let entries = self.fronts.iter().map(|front| front.largest_entry);
         self.largest_entry = entries.fold(0.0, f64::max);
@@ -357,6 +354,7 @@ mod tests {
     use crate::elements::{Coordinate, JointKind};
     use crate::model::{JointCoordinate, Model, SectionInput, Signal, SpringDefinition};
     use crate::solve::test_models::Linearised;
+    use faer::Mat;
     use faer::linalg::solvers::Solve;
     use nalgebra::{Matrix3, Vector3};
 

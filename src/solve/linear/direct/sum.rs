@@ -71,8 +71,7 @@ impl<'a> Sum<'a> {
     pub fn write(&self, front: &mut Front, size: usize, shared: (Par, &Workers)) -> Result<()> {
         let count = front.rows.len();
         let rest = size - count;
-        make_room(&mut front.upper, count, size)?;
-        make_room(&mut front.lower, rest, count)?;
+        front.make_room(count, rest)?;
         make_room(&mut front.remainder, rest, rest)?;
         self.largest.store(0, Ordering::Relaxed);
         let width = (STRIP / size.max(1)).max(1);
