@@ -42,6 +42,7 @@ pub mod fourier;
 pub(crate) mod memory;
 pub mod model;
 pub mod motion;
+pub(crate) mod numbers;
 pub mod output;
 pub mod quantity;
 pub mod ranks;

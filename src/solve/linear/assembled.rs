@@ -2,6 +2,7 @@
 
 use crate::collocation::{Collocation, GridState, Pattern, Tangent};
 use crate::error::Result;
+use crate::numbers::Numbers;
 use crate::solve::linear::borders::Borders;
 use crate::solve::linear::dense::{largest, probe};
 use crate::solve::linear::diagnosis::{Singularity, diagnose};
@@ -41,7 +42,7 @@ pub(crate) struct Assembled {
     regularisation: f64,
     workers: Workers,
     pub(crate) tangent: Tangent,
-    pub(crate) values: Vec<f64>,
+    pub(crate) values: Numbers,
 }
 
 impl Assembled {
@@ -63,7 +64,7 @@ impl Assembled {
             unformed: None,
             regularisation: 0.0,
             workers: equations.workers().clone(),
-            values: Vec::new(),
+            values: Numbers::default(),
             tangent: Tangent::new(equations.system(), equations.grid().points()),
             pattern,
         }
@@ -87,9 +88,8 @@ impl Assembled {
         let entries = pattern.entries();
         let wanted = bordered.unwrap_or(entries);
         if self.values.len() != wanted {
-            self.values = Vec::new();
-            // Memory that threads touch first, side by side.
-            self.values = vec![0.0; wanted];
+            self.values = Numbers::default();
+            self.values = Numbers::zeros("the Jacobian", wanted)?;
         }
         let values = &mut self.values[..entries];
         equations.jacobian(state, pattern, &mut self.tangent, values)

@@ -2,13 +2,14 @@
 //! as they have pivots.
 
 use crate::error::Result;
+use crate::solve::linear::block::Block;
 use crate::solve::linear::blocks::{self, Diagonal};
 use crate::solve::linear::dense::largest;
 use crate::solve::linear::lu;
 use crate::solve::linear::partial_lu::factor_partially;
 use crate::workers::Workers;
 use faer::perm::swap_cols_idx;
-use faer::{Mat, Par};
+use faer::{MatMut, Par};
 
 /// Multiply-adds of a front, or several, that are worth sharing among threads.
 pub(crate) const LARGE_FRONT: f64 = 2e7;
@@ -29,9 +30,9 @@ pub(crate) struct Front {
     pub columns: Vec<usize>,
     /// `L`, `U` and, to their right, `U₁₂`; before, `F₁₁` and `F₁₂`. Below them are the rows of
     /// equations without pivots: of `L`, and what is left.
-    pub upper: Mat<f64>,
+    pub upper: Block,
     /// `L₂₁`, and to its right what is left of unknowns without pivots; before, `F₂₁`.
-    pub lower: Mat<f64>,
+    pub lower: Block,
     /// Whether it was found singular on its own: what has no pivot waits for the parent's ever
     /// after.
     waits: bool,
@@ -41,7 +42,7 @@ pub(crate) struct Front {
     /// How large these columns have been: what is left of them may be rounding.
     pub delayed_sizes: Vec<f64>,
     /// What is left of the boundary, for the parent to take.
-    pub remainder: Mat<f64>,
+    pub remainder: Block,
     /// Largest entry of the matrix that enters here.
     pub largest_entry: f64,
 }
@@ -65,17 +66,6 @@ pub(crate) fn elimination_work(count: usize, rest: usize) -> f64 {
 /// Whether what is left of so many others is no more than a third of the factors.
 fn keeps_remainder(own: usize, rest: usize) -> bool {
     rest <= own
-}
-
-/// Gives a matrix this size; what is in it is to be written.
-pub(crate) fn make_room(matrix: &mut Mat<f64>, rows: usize, columns: usize) -> Result<()> {
-    if (matrix.nrows(), matrix.ncols()) == (rows, columns) {
-        return Ok(());
-    }
-    *matrix = Mat::new();
-    blocks::reserve(matrix, rows, columns)?;
-    matrix.resize_with(rows, columns, |_, _| 0.0);
-    Ok(())
 }
 
 /// Memory that the factorisation of a front needs.
@@ -105,13 +95,13 @@ impl Front {
         Front {
             rows: Vec::new(),
             columns: Vec::new(),
-            upper: Mat::new(),
-            lower: Mat::new(),
+            upper: Block::default(),
+            lower: Block::default(),
             waits: false,
             delayed_rows: Vec::new(),
             delayed_columns: Vec::new(),
             delayed_sizes: Vec::new(),
-            remainder: Mat::new(),
+            remainder: Block::default(),
             largest_entry: 0.0,
         }
     }
@@ -124,25 +114,25 @@ impl Front {
 
     /// How many unknowns are left, without pivots and of the boundary.
     pub fn left_over(&self) -> usize {
-        self.upper.ncols().saturating_sub(self.rows.len())
+        self.upper.columns().saturating_sub(self.rows.len())
     }
 
     /// The rows of a column of the factors below their pivots: of equations without pivots, and of
     /// the boundary.
     pub fn below(&self, column: usize) -> [&[f64]; 2] {
-        let upper = &self.upper.col_as_slice(column)[self.rows.len()..];
-        [upper, self.lower.col_as_slice(column)]
+        let upper = &self.upper.column(column)[self.rows.len()..];
+        [upper, self.lower.column(column)]
     }
 
     /// A column of what is left, of unknowns without pivots and then of the boundary: rows of
     /// equations without pivots, and of the boundary.
     pub fn left(&self, column: usize) -> [&[f64]; 2] {
         let place = self.rows.len() + column;
-        match place.checked_sub(self.upper.nrows()) {
+        match place.checked_sub(self.upper.rows()) {
             None => self.below(place),
             Some(beyond) => {
-                let upper = &self.upper.col_as_slice(place)[self.rows.len()..];
-                [upper, self.remainder.col_as_slice(beyond)]
+                let upper = &self.upper.column(place)[self.rows.len()..];
+                [upper, self.remainder.column(beyond)]
             }
         }
     }
@@ -150,19 +140,19 @@ impl Front {
     /// Gives back the memory of what was left of the boundary, if that is much beside the factors;
     /// else it is kept for the next ones, as memory that is touched first takes time.
     pub fn release(&mut self) {
-        if !keeps_remainder(self.upper.nrows(), self.lower.nrows()) {
-            self.remainder = Mat::new();
+        if !keeps_remainder(self.upper.rows(), self.lower.rows()) {
+            self.remainder = Block::default();
         }
     }
 
-    /// Makes room for `own` rows and columns, and `rest` in the boundary: of what is kept.
-    pub fn make_room(&mut self, own: usize, rest: usize) -> Result<()> {
-        make_room(&mut self.upper, own, own + rest)?;
-        make_room(&mut self.lower, rest, own)?;
-        match keeps_remainder(own, rest) {
-            true => make_room(&mut self.remainder, rest, rest),
-            false => Ok(()),
-        }
+    /// Gives it `own` rows and columns, and `rest` in the boundary; what is in it is to be written.
+    ///
+    /// # Errors
+    /// If memory runs out.
+    pub fn resize(&mut self, own: usize, rest: usize) -> Result<()> {
+        self.upper.resize(own, own + rest)?;
+        self.lower.resize(rest, own)?;
+        self.remainder.resize(rest, rest)
     }
 
     /// Eliminates the unknowns of the front, which `assemble` sums up, but for those without
@@ -208,12 +198,12 @@ impl Front {
     /// Updates the largest sizes that its columns have had.
     fn measure_columns(&self, sizes: &mut [f64]) {
         for (j, size) in sizes.iter_mut().enumerate() {
-            *size = size.max(largest(self.upper.col_as_slice(j)));
+            *size = size.max(largest(self.upper.column(j)));
         }
     }
 
     fn parallelism(&self, parallelism: Par) -> Par {
-        let (count, rest) = (self.lower.ncols(), self.lower.nrows());
+        let (count, rest) = (self.lower.columns(), self.lower.rows());
         match elimination_work(count, rest) < LARGE_FRONT {
             true => Par::Seq,
             false => parallelism,
@@ -227,7 +217,7 @@ impl Front {
         workspace: &mut FrontWorkspace,
         parallelism: Par,
     ) -> Result<bool> {
-        let count = self.upper.nrows();
+        let count = self.upper.rows();
         self.measure_columns(&mut workspace.sizes);
         let parallelism = self.parallelism(parallelism);
         let FrontWorkspace {
@@ -250,7 +240,7 @@ impl Front {
 
     /// Reduces the rows of the boundary, once the unknowns that have pivots are known.
     fn reduce_boundary(&mut self, parallelism: Par, workers: &Workers) -> Result<()> {
-        let (count, own) = (self.rows.len(), self.upper.nrows());
+        let (count, own) = (self.rows.len(), self.upper.rows());
         let upper = self.upper.as_ref().subrows(0, count);
         let (square, beyond) = upper.split_at_col(count);
         let (delayed, boundary) = beyond.split_at_col(own - count);
@@ -273,16 +263,16 @@ impl Front {
         workspace: &mut FrontWorkspace,
         parallelism: Par,
     ) -> Result<()> {
-        let own = self.upper.nrows();
+        let own = self.upper.rows();
         self.measure_columns(&mut workspace.sizes);
         // A column that is tiny but for its rows in the boundary has its pivot there.
         for (j, size) in workspace.sizes.iter_mut().enumerate() {
-            *size = size.max(BOUNDARY_SHARE * largest(self.lower.col_as_slice(j)));
+            *size = size.max(BOUNDARY_SHARE * largest(self.lower.column(j)));
         }
         let parallelism = self.parallelism(parallelism);
         let mut order: Vec<usize> = (0..own).collect();
         let count = factor_partially(
-            &mut self.upper,
+            self.upper.as_mut(),
             &mut self.rows,
             &mut order,
             &mut workspace.sizes,
@@ -294,13 +284,13 @@ impl Front {
         self.delayed_columns = self.columns.split_off(count);
         self.delayed_sizes
             .extend_from_slice(&workspace.sizes[count..]);
-        exchange_columns(&mut self.lower, order);
+        exchange_columns(self.lower.as_mut(), order);
         self.reduce_boundary(parallelism, &workspace.workers)
     }
 }
 
 /// Puts the columns of a matrix in this order.
-fn exchange_columns(matrix: &mut Mat<f64>, mut order: Vec<usize>) {
+fn exchange_columns(mut matrix: MatMut<f64>, mut order: Vec<usize>) {
     for j in 0..order.len() {
         // Around the cycle that begins here.
         let mut to = j;

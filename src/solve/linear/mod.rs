@@ -22,6 +22,7 @@
 //!   `eigenvalues`.
 
 pub(crate) mod assembled;
+mod block;
 mod blocks;
 pub(crate) mod bordered;
 pub(crate) mod borders;

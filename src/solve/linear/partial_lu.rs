@@ -1,17 +1,18 @@
 //! LU factorisation of as much of a matrix as has good pivots.
 
 use crate::error::Result;
+use crate::solve::linear::block::column_mut;
 use crate::solve::linear::blocks::{Diagonal, solve_lower, subtract_matmul};
 use crate::workers::Workers;
 use faer::perm::swap_cols_idx;
-use faer::{Mat, Par};
+use faer::{MatMut, Par};
 
 /// Columns that are factored together, before those to their right are reduced.
 const PANEL: usize = 32;
 
 /// A matrix that is factored in part.
 struct PartialLu<'a> {
-    matrix: &'a mut Mat<f64>,
+    matrix: MatMut<'a, f64>,
     /// Number of pivots found.
     count: usize,
     rows: &'a mut [usize],
@@ -31,7 +32,7 @@ struct PartialLu<'a> {
 /// those to the right of the square among them, what remains is left in their place. `rows`,
 /// `columns` and `sizes` are exchanged with those of the square.
 pub(crate) fn factor_partially(
-    matrix: &mut Mat<f64>,
+    matrix: MatMut<f64>,
     rows: &mut [usize],
     columns: &mut [usize],
     sizes: &mut [f64],
@@ -72,7 +73,7 @@ impl PartialLu<'_> {
         self.exchanges.clear();
         while self.count < end {
             let k = self.count;
-            let column = self.matrix.col_as_slice(k);
+            let column = &*column_mut(&mut self.matrix, k);
             let (mut pivot_row, mut size) = (k, 0.0);
             for (i, x) in column.iter().enumerate().skip(k) {
                 if x.abs() > size {
@@ -88,14 +89,14 @@ impl PartialLu<'_> {
             self.exchanges.push((k, pivot_row));
             self.rows.swap(k, pivot_row);
             for j in first..panel_end {
-                self.matrix.col_as_slice_mut(j).swap(k, pivot_row);
+                column_mut(&mut self.matrix, j).swap(k, pivot_row);
             }
-            let column = &mut self.matrix.col_as_slice_mut(k)[k + 1..];
+            let column = &mut column_mut(&mut self.matrix, k)[k + 1..];
             column.iter_mut().for_each(|x| *x /= pivot);
             self.multipliers.clear();
             self.multipliers.extend_from_slice(column);
             for j in k + 1..panel_end {
-                let column = &mut self.matrix.col_as_slice_mut(j)[k..];
+                let column = &mut column_mut(&mut self.matrix, j)[k..];
                 if let Some((&mut u, column)) = column.split_first_mut() {
                     let entries = column.iter_mut().zip(&self.multipliers);
                     entries.for_each(|(x, l)| *x -= l * u);
@@ -113,7 +114,7 @@ impl PartialLu<'_> {
     ) -> Result<()> {
         let all = self.matrix.ncols();
         for j in (0..first).chain(panel_end..all) {
-            let column = self.matrix.col_as_slice_mut(j);
+            let column = column_mut(&mut self.matrix, j);
             self.exchanges.iter().for_each(|&(a, b)| column.swap(a, b));
         }
         let count = self.count - first;
@@ -137,6 +138,7 @@ impl PartialLu<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use faer::Mat;
 
     /// A matrix of rank `rank` and `size` rows, with `more` columns to the right of its square.
     fn matrix_of_rank(rank: usize, size: usize, more: usize) -> Mat<f64> {
@@ -155,7 +157,7 @@ mod tests {
             let mut columns = rows.clone();
             let mut sizes = vec![1.0; size];
             let count = factor_partially(
-                &mut matrix,
+                matrix.as_mut(),
                 &mut rows,
                 &mut columns,
                 &mut sizes,

@@ -15,6 +15,8 @@ pub(super) struct Analysis {
     pub plans: Vec<FrontPlan>,
     /// Entries of the matrix that enter each front.
     pub panels: Vec<Vec<Panel>>,
+    /// Those in the rows of each group.
+    pub rows: Vec<Vec<Panel>>,
     /// Of each front with all those that lead to it, which come just before it: multiply-adds, and
     /// their number.
     pub subtrees: Vec<(f64, usize)>,
@@ -61,6 +63,10 @@ impl Analysis {
     }
 
     fn planned(groups: Vec<Range<usize>>, plans: Vec<FrontPlan>, all_panels: Vec<Panel>) -> Self {
+        let in_order = groups
+            .iter()
+            .try_fold(0, |end, group| (group.start == end).then_some(group.end));
+        debug_assert!(in_order.is_some(), "a gap between groups");
         let mut front_of = vec![0; groups.len()];
         for (f, front) in plans.iter().enumerate() {
             for &g in &front.own {
@@ -69,7 +75,9 @@ impl Analysis {
         }
         // An entry enters the front that is first to eliminate its row or column.
         let mut panels = vec![Vec::new(); plans.len()];
+        let mut rows = vec![Vec::new(); groups.len()];
         for panel in all_panels {
+            rows[panel.row.0].push(panel.clone());
             panels[front_of[panel.row.0].min(front_of[panel.column.0])].push(panel);
         }
         let size = |own: &[usize]| own.iter().map(|&g| groups[g].len()).sum::<usize>();
@@ -83,6 +91,7 @@ impl Analysis {
             groups,
             plans,
             panels,
+            rows,
             subtrees,
         }
     }

@@ -6,7 +6,6 @@ use crate::solve::linear::direct::sum::Sum;
 use crate::solve::linear::front::{Front, FrontWorkspace, LARGE_FRONT, NoPivot};
 use crate::workers::{Spare, Workers, join};
 use faer::Par;
-use rayon::iter::{IndexedParallelIterator, IntoParallelRefMutIterator, ParallelIterator};
 use std::ops::Range;
 
 /// Most forks of the tree of fronts, one above the other, where threads part: each takes memory on
@@ -43,20 +42,10 @@ impl<'a> Factorisation<'a> {
         self.workers.dense(|parallelism| match parallelism {
             Par::Seq => self.factor_in_order(0..fronts.len(), (0, fronts), parallelism),
             Par::Rayon(_) => {
-                self.make_room(fronts)?;
                 let mut subtrees = self.analysis.split(&self.analysis.roots(), fronts);
                 self.factor_all(&mut subtrees, MOST_FORKS, parallelism)
             }
         })
-    }
-
-    /// Makes room for the factors of fronts that have none yet, and for what they leave where that
-    /// is kept, side by side: memory that is touched first takes time.
-    fn make_room(&self, fronts: &mut [Front]) -> Result<()> {
-        let size = |groups: &[usize]| self.analysis.size_of(groups);
-        let all = fronts.par_iter_mut().zip(&self.analysis.plans);
-        all.filter(|(front, _)| front.numbers() == 0)
-            .try_for_each(|(front, plan)| front.make_room(size(&plan.own), size(&plan.boundary)))
     }
 
     /// Factors subtrees, each with its fronts, in parallel. `false` if a singular front has no

@@ -145,7 +145,7 @@ impl DirectSolver {
         let (mut sign, mut logarithm) = (1.0, 0.0);
         for front in &self.fronts {
             for j in 0..front.rows.len() {
-                let pivot = front.upper[(j, j)];
+                let pivot = front.upper.column(j)[j];
                 sign *= pivot.signum();
                 logarithm += pivot.abs().ln();
             }
@@ -172,9 +172,9 @@ impl DirectSolver {
             let (first, count) = (reduced.len(), front.rows.len());
             reduced.extend(front.columns.iter().map(|&column| rhs[column]));
             let y = &mut reduced[first..];
-            solve_upper_transposed(|j| front.upper.col_as_slice(j), y);
+            solve_upper_transposed(|j| front.upper.column(j), y);
             self.gather(&front.delayed_columns, &plan.boundary, rhs, &mut local);
-            subtract_transposed(&mut local, |j| front.upper.col_as_slice(count + j), y);
+            subtract_transposed(&mut local, |j| front.upper.column(count + j), y);
             self.scatter(&front.delayed_columns, &plan.boundary, &local, rhs);
         }
         for (plan, front) in self.analysis.plans.iter().zip(&self.fronts).rev() {
@@ -186,7 +186,7 @@ impl DirectSolver {
             for (rows, part) in [delayed, boundary].into_iter().enumerate() {
                 subtract_transposed(y, |j| front.below(j)[rows], part);
             }
-            solve_unit_lower_transposed(|j| front.upper.col_as_slice(j), y);
+            solve_unit_lower_transposed(|j| front.upper.column(j), y);
             for (&row, x) in front.rows.iter().zip(&*y) {
                 rhs[row] = *x;
             }

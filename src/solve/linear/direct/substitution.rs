@@ -2,15 +2,16 @@
 //! all share what these lead to.
 
 use super::DirectSolver;
-use crate::collocation::Panel;
 use crate::solve::linear::dense::{solve_unit_lower, solve_upper, subtract_product};
 use crate::solve::linear::ordering::FrontPlan;
 use crate::work::SUBSTITUTION;
-use crate::workers::Workers;
+use crate::workers::{Workers, parts};
 use std::ops::Range;
 
 /// Most subtrees that fronts are divided into.
 const SUBTREES: usize = 16;
+/// What it takes threads that share rows to meet, as a factor of what they read.
+const MEETING: f64 = 1.3;
 /// Columns of a triangle after which the rows beyond are shared.
 const BLOCK: usize = 256;
 
@@ -41,7 +42,7 @@ impl DirectSolver {
     }
 
     pub(super) fn solve_shared(&self, rhs: &mut [f64], workers: &Workers) {
-        let (mut subtrees, above) = self.divided(workers.threads());
+        let (mut subtrees, above) = self.divided(workers);
         let alone = workers.alone();
         let all = &*rhs;
         workers.each(&mut subtrees, |_, subtree| {
@@ -100,16 +101,17 @@ impl DirectSolver {
         &self.analysis.plans[subtree.fronts.end - 1].boundary
     }
 
-    /// Subtrees that so many threads share, and the fronts that they lead to, in order.
-    fn divided(&self, threads: usize) -> (Vec<Subtree>, Vec<usize>) {
+    /// Subtrees that threads take one each, the largest first, and the fronts that they go through
+    /// together, in order.
+    fn divided(&self, workers: &Workers) -> (Vec<Subtree>, Vec<usize>) {
         let plans = &self.analysis.plans;
-        let mut numbers: Vec<usize> = Vec::with_capacity(plans.len());
+        let mut costs: Vec<Cost> = Vec::with_capacity(plans.len());
         for (front, plan) in self.fronts.iter().zip(plans) {
-            let below: usize = plan.children.iter().map(|&child| numbers[child]).sum();
-            numbers.push(below + front.numbers());
+            let below = plan.children.iter().map(|&child| costs[child]);
+            costs.push(below.fold(Cost::of(front.numbers(), workers), Cost::sum));
         }
-        let (mut roots, mut above) = divided((plans, &numbers), &self.analysis.roots(), threads);
-        roots.sort_unstable();
+        let (roots, mut above) =
+            divided((plans, &costs), &self.analysis.roots(), workers.threads());
         above.sort_unstable();
         let subtree = |root: usize| Subtree {
             fronts: root + 1 - self.analysis.subtrees[root].1..root + 1,
@@ -136,7 +138,7 @@ impl DirectSolver {
             let first = reduced.len();
             reduced.extend(front.rows.iter().map(|&row| rhs[row]));
             let y = &mut reduced[first..];
-            lower(workers, |j| front.upper.col_as_slice(j), y);
+            lower(workers, |j| front.upper.column(j), y);
             self.gather(&front.delayed_rows, &plan.boundary, rhs, &mut local);
             let (delayed, boundary) = local.split_at_mut(front.delayed_rows.len());
             for (rows, part) in [delayed, boundary].into_iter().enumerate() {
@@ -162,8 +164,8 @@ impl DirectSolver {
             let first = reduced.len() - count;
             let y = &mut reduced[first..];
             self.gather(&front.delayed_columns, &plan.boundary, rhs, &mut local);
-            subtract(workers, y, |j| front.upper.col_as_slice(count + j), &local);
-            upper(workers, |j| front.upper.col_as_slice(j), y);
+            subtract(workers, y, |j| front.upper.column(count + j), &local);
+            upper(workers, |j| front.upper.column(j), y);
             for (&column, x) in front.columns.iter().zip(&*y) {
                 rhs[column] = *x;
             }
@@ -171,77 +173,106 @@ impl DirectSolver {
         }
     }
 
-    /// `y −= A x` over all panels of a matrix, by several threads.
+    /// `y −= A x` over all panels of a matrix, rows shared among threads.
     pub(super) fn subtract_panels(&self, values: &[f64], x: &[f64], y: &mut [f64]) {
         let analysis = &self.analysis;
-        let panels: Vec<_> = analysis.panels.iter().flatten().collect();
-        let subtract = |panel: &Panel, y: &mut [f64]| {
-            let row = analysis.groups[panel.row.0].start + panel.row.1;
-            let column = analysis.groups[panel.column.0].start + panel.column.1;
-            subtract_product(
-                &mut y[row..][..panel.rows],
-                |j| &values[panel.value + j * panel.stride..][..panel.rows],
-                &x[column..][..panel.columns],
-            );
-        };
+        let sizes = analysis.groups.iter().map(ExactSizeIterator::len);
+        let mut groups: Vec<_> = parts(y, sizes).collect();
         let workers = self.workers.for_work(values.len());
-        if workers.threads() == 1 {
-            panels.iter().for_each(|panel| subtract(panel, y));
-            return;
-        }
-        let length = panels.len().div_ceil(workers.threads()).max(1);
-        let mut parts: Vec<_> = panels.chunks(length).map(|p| (p, Vec::new())).collect();
-        workers.each(&mut parts, |_, (panels, sum)| {
-            sum.resize(x.len(), 0.0);
-            panels.iter().for_each(|panel| subtract(panel, sum));
+        workers.each(&mut groups, |g, y| {
+            for panel in &analysis.rows[g] {
+                let column = analysis.groups[panel.column.0].start + panel.column.1;
+                subtract_product(
+                    &mut y[panel.row.1..][..panel.rows],
+                    |j| &values[panel.value + j * panel.stride..][..panel.rows],
+                    &x[column..][..panel.columns],
+                );
+            }
         });
-        for (_, sum) in parts {
-            y.iter_mut().zip(sum).for_each(|(y, x)| *y += x);
+    }
+}
+
+/// What it takes to go through fronts, by the numbers that are read.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Cost {
+    /// By one thread.
+    alone: f64,
+    /// By all, which share the rows of each front.
+    together: f64,
+}
+
+impl Cost {
+    /// Of a front with so many numbers.
+    fn of(numbers: usize, workers: &Workers) -> Self {
+        let alone = numbers as f64;
+        let together = match workers.for_work(numbers).threads() {
+            1 => alone,
+            threads => MEETING * alone / threads as f64,
+        };
+        Cost { alone, together }
+    }
+
+    fn sum(self, other: Cost) -> Self {
+        Cost {
+            alone: self.alone + other.alone,
+            together: self.together + other.together,
         }
     }
 }
 
-/// Roots of subtrees, and the fronts above them, in no order: the largest is divided as long as
-/// that leaves threads less to wait for, fronts above included, which they go through together.
-/// `numbers` are those of each front with all that lead to it.
+/// Roots of subtrees that threads take one each, the largest first, and all other fronts, which
+/// they go through together, in no order: as leaves them least to wait for. Where subtrees are
+/// divided, it is the largest. `costs` are those of each front with all that lead to it.
 fn divided(
-    (plans, numbers): (&[FrontPlan], &[usize]),
+    (plans, costs): (&[FrontPlan], &[Cost]),
     all: &[usize],
     threads: usize,
 ) -> (Vec<usize>, Vec<usize>) {
-    let total: usize = all.iter().map(|&root| numbers[root]).sum();
-    let divide = |roots: &mut Vec<usize>, above: &mut Vec<usize>| {
-        let divisible = (0..roots.len()).filter(|&i| !plans[roots[i]].children.is_empty());
-        let largest = divisible.max_by_key(|&i| numbers[roots[i]]);
-        let few = roots.len() < SUBTREES;
-        let large = largest.filter(|&i| few && numbers[roots[i]] > total / SUBTREES);
-        large.map(|i| {
-            let root = roots.swap_remove(i);
-            roots.extend(&plans[root].children);
-            above.push(root);
-        })
-    };
+    let total: f64 = all.iter().map(|&root| costs[root].alone).sum();
     let (mut roots, mut above) = (all.to_vec(), Vec::new());
-    let (mut best, mut least) = (0, f64::INFINITY);
+    let (mut best, mut least) = ((Vec::new(), Vec::new(), Vec::new()), f64::INFINITY);
+    // What has been divided, by all threads.
+    let mut divided = 0.0;
     loop {
-        let below: usize = roots.iter().map(|&root| numbers[root]).sum();
-        let largest = roots.iter().map(|&root| numbers[root]).max();
-        let (below, largest) = (below as f64, largest.unwrap_or(0) as f64);
-        // Of subtrees the largest may come last.
-        let share = 1.0 / threads as f64;
-        let wait = total as f64 - below + share * below + (1.0 - share) * largest;
-        if wait < least {
-            (best, least) = (above.len(), wait);
+        roots.sort_by(|&a, &b| costs[b].alone.total_cmp(&costs[a].alone).then(a.cmp(&b)));
+        let mut left: f64 = roots.iter().map(|&root| costs[root].together).sum();
+        let mut loads = vec![0.0f64; threads];
+        for taken in 0..=roots.len() {
+            let wait = divided + left + loads.iter().copied().fold(0.0, f64::max);
+            if wait < least {
+                least = wait;
+                let (taken, others) = roots.split_at(taken);
+                best = (taken.to_vec(), others.to_vec(), above.clone());
+            }
+            let Some(&next) = roots.get(taken) else { break };
+            left -= costs[next].together;
+            if let Some(load) = loads.iter_mut().min_by(|a, b| a.total_cmp(b)) {
+                *load += costs[next].alone;
+            }
         }
-        if divide(&mut roots, &mut above).is_none() {
+        let few = roots.len() < SUBTREES;
+        let mut divisible = (0..roots.len()).filter(|&i| !plans[roots[i]].children.is_empty());
+        let Some(largest) = divisible
+            .next()
+            .filter(|&i| few && costs[roots[i]].alone > total / SUBTREES as f64)
+        else {
             break;
-        }
+        };
+        let root = roots.swap_remove(largest);
+        let children = plans[root].children.iter();
+        divided += children.fold(costs[root].together, |rest, &child| {
+            rest - costs[child].together
+        });
+        roots.extend(&plans[root].children);
+        above.push(root);
     }
-    (roots, above) = (all.to_vec(), Vec::new());
-    while above.len() < best && divide(&mut roots, &mut above).is_some() {}
+    let (roots, mut others, mut above) = best;
+    while let Some(front) = others.pop() {
+        others.extend(&plans[front].children);
+        above.push(front);
+    }
     (roots, above)
 }
-
 /// `y −= A x`, for the matrix with these columns, rows shared among threads.
 fn subtract<'a>(
     workers: &Workers,
@@ -319,14 +350,22 @@ mod tests {
             assert!(largest(&off) < 1e-13 * largest(alone));
         }
     }
-    /// A last front that two chains of so many lead to, each with a small one beside its first.
-    #[test]
-    fn chains_are_divided_where_they_meet_and_no_farther() {
-        let count = 40;
+
+    /// Chains of so many fronts, each with two small ones before its first, and a last front that
+    /// all lead to.
+    fn chains(chains: usize, count: usize, shared: f64) -> (Vec<FrontPlan>, Vec<Cost>, Vec<usize>) {
         let mut plans: Vec<FrontPlan> = Vec::new();
-        let mut numbers = Vec::new();
-        let mut add = |children: &[usize], own: usize| {
-            numbers.push(own + children.iter().map(|&c| numbers[c]).sum::<usize>());
+        let mut costs: Vec<Cost> = Vec::new();
+        let mut add = |children: &[usize], own: f64| {
+            let own = Cost {
+                alone: own,
+                together: shared * own,
+            };
+            costs.push(
+                children
+                    .iter()
+                    .fold(own, |sum, &child| sum.sum(costs[child])),
+            );
             plans.push(FrontPlan {
                 own: Vec::new(),
                 boundary: Vec::new(),
@@ -336,14 +375,35 @@ mod tests {
             plans.len() - 1
         };
         let mut chain = || {
-            let leaves = [add(&[], 1), add(&[], 1)];
-            (0..count).fold(add(&leaves, 100), |last, _| add(&[last], 100))
+            let leaves = [add(&[], 1.0), add(&[], 1.0)];
+            (0..count).fold(add(&leaves, 100.0), |last, _| add(&[last], 100.0))
         };
-        let ends = [chain(), chain()];
-        let last = add(&ends, 100);
+        let ends: Vec<usize> = (0..chains).map(|_| chain()).collect();
+        add(&ends, 100.0);
+        (plans, costs, ends)
+    }
+
+    #[test]
+    fn chains_are_divided_where_they_meet_and_no_farther() {
+        let (plans, costs, ends) = chains(2, 40, 1.0);
+        let last = plans.len() - 1;
         for threads in [2, 4] {
-            let (roots, above) = divided((&plans, &numbers), &[last], threads);
+            let (roots, above) = divided((&plans, &costs), &[last], threads);
             assert_eq!((&roots[..], &above[..]), (&ends[..], &[last][..]));
         }
+    }
+
+    #[test]
+    fn two_threads_share_what_is_left_of_three_chains() {
+        let (plans, costs, ends) = chains(3, 40, 0.5 * MEETING);
+        let last = plans.len() - 1;
+        let (roots, mut above) = divided((&plans, &costs), &[last], 2);
+        above.sort_unstable();
+        assert_eq!(roots, ends[..2]);
+        let third: Vec<usize> = (ends[1] + 1..=last).collect();
+        assert_eq!(above, third);
+        // By three there is nothing left.
+        let (roots, above) = divided((&plans, &costs), &[last], 3);
+        assert_eq!((&roots[..], &above[..]), (&ends[..], &[last][..]));
     }
 }

@@ -3,10 +3,11 @@
 
 use crate::collocation::Panel;
 use crate::error::Result;
+use crate::solve::linear::block::column_mut;
 use crate::solve::linear::blocks::strips;
 use crate::solve::linear::dense::largest;
 use crate::solve::linear::direct::analysis::Analysis;
-use crate::solve::linear::front::{Front, make_room};
+use crate::solve::linear::front::Front;
 use crate::workers::Workers;
 use faer::{MatMut, Par};
 use std::iter::once;
@@ -71,8 +72,7 @@ impl<'a> Sum<'a> {
     pub fn write(&self, front: &mut Front, size: usize, shared: (Par, &Workers)) -> Result<()> {
         let count = front.rows.len();
         let rest = size - count;
-        front.make_room(count, rest)?;
-        make_room(&mut front.remainder, rest, rest)?;
+        front.resize(count, rest)?;
         self.largest.store(0, Ordering::Relaxed);
         let width = (STRIP / size.max(1)).max(1);
         let Front {
@@ -97,15 +97,15 @@ impl<'a> Sum<'a> {
     fn write_strip(&self, first: usize, mut upper: MatMut<f64>, mut below: MatMut<f64>) {
         let (own, columns) = (upper.nrows(), first..first + upper.ncols());
         for column in 0..upper.ncols() {
-            slice(&mut upper, column).fill(0.0);
-            slice(&mut below, column).fill(0.0);
+            column_mut(&mut upper, column).fill(0.0);
+            column_mut(&mut below, column).fill(0.0);
         }
         // Part of a column, of rows that belong together.
         let mut part =
             |row: usize, column: usize, length: usize, work: &mut dyn FnMut(&mut [f64])| {
                 let (to, row) = match row < own {
-                    true => (slice(&mut upper, column - first), row),
-                    false => (slice(&mut below, column - first), row - own),
+                    true => (column_mut(&mut upper, column - first), row),
+                    false => (column_mut(&mut below, column - first), row - own),
                 };
                 work(&mut to[row..][..length]);
             };
@@ -149,9 +149,4 @@ impl<'a> Sum<'a> {
 /// Those of so many columns from `start` on that are among these.
 fn within(columns: &Range<usize>, start: usize, count: usize) -> Range<usize> {
     columns.start.max(start)..columns.end.min(start + count)
-}
-
-fn slice<'m>(matrix: &'m mut MatMut<f64>, column: usize) -> &'m mut [f64] {
-    let column = matrix.as_mut().col_mut(column).try_as_col_major_mut();
-    column.map_or(&mut [], |column| column.as_slice_mut())
 }

@@ -281,7 +281,7 @@ impl FreedomSolver {
         let (rows, columns) = (&mut self.rows, &mut self.columns);
         let matrix = &mut self.matrix;
         let alone = (Par::Seq, workers);
-        let found = factor_partially(matrix, rows, columns, sizes, SINGULAR, alone)?;
+        let found = factor_partially(matrix.as_mut(), rows, columns, sizes, SINGULAR, alone)?;
         Ok(found == unknowns)
     }
 
