@@ -2,14 +2,13 @@
 //! between them that work goes on.
 
 use crate::error::Result;
-use crate::memory;
 use crate::workers::{Workers, join};
 use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::{
     solve_lower_triangular_in_place, solve_unit_lower_triangular_in_place,
     solve_upper_triangular_in_place,
 };
-use faer::{Accum, Mat, MatMut, MatRef, Par};
+use faer::{Accum, MatMut, MatRef, Par};
 use std::ops::Range;
 
 /// Rows and columns of a tile of a product.
@@ -22,16 +21,6 @@ const SOLVE: usize = 200_000_000;
 const PARTS: usize = 8;
 /// Widths of strips are multiples of this, for kernels.
 const EVEN: usize = 8;
-
-/// Takes memory for a matrix.
-pub(crate) fn reserve(matrix: &mut Mat<f64>, rows: usize, columns: usize) -> Result<()> {
-    matrix.try_reserve(rows, columns).map_err(|_| {
-        let bytes = rows
-            .saturating_mul(columns)
-            .saturating_mul(size_of::<f64>());
-        memory::lacking(&format!("a dense block of {rows} × {columns}"), bytes)
-    })
-}
 
 /// Rows or columns of a part, of so many in all, within bounds.
 fn part(all: usize, bounds: Range<usize>) -> usize {

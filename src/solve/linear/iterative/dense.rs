@@ -1,30 +1,14 @@
 //! Dense LU, in place.
 
 use crate::error::Result;
-use crate::solve::linear::{blocks, lu};
+use crate::solve::linear::block::Block;
+use crate::solve::linear::lu;
 use crate::workers::Workers;
 use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::{
     solve_unit_lower_triangular_in_place, solve_upper_triangular_in_place,
 };
-use faer::{Accum, Mat, MatMut, MatRef, Par};
-
-/// Columns that are made at a time.
-const PIECE: usize = 256;
-
-/// A zero matrix.
-///
-/// # Errors
-/// If memory runs out, or work is to end.
-pub(super) fn zeros(rows: usize, columns: usize, workers: &Workers) -> Result<Mat<f64>> {
-    let mut matrix = Mat::new();
-    blocks::reserve(&mut matrix, rows, columns)?;
-    for end in (PIECE..columns).step_by(PIECE).chain([columns]) {
-        matrix.resize_with(rows, end, |_, _| 0.0);
-        workers.pulse()?;
-    }
-    Ok(matrix)
-}
+use faer::{Accum, MatMut, MatRef, Par};
 
 /// Rows that are known before others are reduced by them, and rows that are reduced in one piece.
 const KNOWN: usize = 256;
@@ -32,7 +16,7 @@ const REDUCED: usize = 128;
 
 /// Factors of a square matrix.
 pub(super) struct DenseLu {
-    factors: Mat<f64>,
+    factors: Block,
     /// Where each row of the factors stood.
     order: Vec<usize>,
     ordered: Vec<f64>,
@@ -44,8 +28,8 @@ impl DenseLu {
     ///
     /// # Errors
     /// If work is to end.
-    pub fn new(mut matrix: Mat<f64>, workers: &Workers) -> Result<Option<Self>> {
-        let size = matrix.nrows();
+    pub fn new(mut matrix: Block, workers: &Workers) -> Result<Option<Self>> {
+        let size = matrix.rows();
         let mut order = vec![0usize; size];
         let regular = |_: usize, pivot: f64| pivot > 0.0 && pivot.is_finite();
         let regular = workers
@@ -63,11 +47,11 @@ impl DenseLu {
         let size = x.len();
         let rows = self.order.iter().map(|&row| x[row]);
         self.ordered.iter_mut().zip(rows).for_each(|(y, x)| *y = x);
-        let y = &mut self.ordered[..];
+        let (y, factors) = (&mut self.ordered[..], self.factors.as_ref());
         for first in (0..size).step_by(KNOWN) {
             let (known, below) = y[first..].split_at_mut(KNOWN.min(size - first));
             let count = known.len();
-            let of = |row, rows| self.factors.submatrix(row, first, rows, count);
+            let of = |row, rows| factors.submatrix(row, first, rows, count);
             let unknowns = MatMut::from_column_major_slice_mut(known, count, 1);
             solve_unit_lower_triangular_in_place(of(first, count), unknowns, Par::Seq);
             let next = first + count;
@@ -82,7 +66,7 @@ impl DenseLu {
             let (above, known) = y.split_at_mut(first);
             let count = KNOWN.min(size - first);
             let known = &mut known[..count];
-            let of = |row, rows| self.factors.submatrix(row, first, rows, count);
+            let of = |row, rows| factors.submatrix(row, first, rows, count);
             let unknowns = MatMut::from_column_major_slice_mut(known, count, 1);
             solve_upper_triangular_in_place(of(first, count), unknowns, Par::Seq);
             reduce(above, known, of, &self.workers);
@@ -110,6 +94,7 @@ fn reduce<'a>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use faer::Mat;
 
     #[test]
     fn solutions_are_those_of_the_matrix_by_any_number_of_threads() {
@@ -120,7 +105,9 @@ mod tests {
             let product = &matrix * MatRef::from_column_major_slice(&exact, size, 1);
             let solve = |threads: usize| {
                 let workers = Workers::new(threads).unwrap();
-                let mut lu = DenseLu::new(matrix.clone(), &workers).unwrap().unwrap();
+                let mut block = Block::zeros(size, size).unwrap();
+                block.as_mut().copy_from(&matrix);
+                let mut lu = DenseLu::new(block, &workers).unwrap().unwrap();
                 let mut x = product.col_as_slice(0).to_vec();
                 lu.solve(&mut x);
                 x

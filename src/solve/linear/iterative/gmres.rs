@@ -7,6 +7,7 @@ use super::least_squares::LeastSquares;
 use super::long_vectors::{Parts, SMALLEST_SHARE, Vectors, small_norm};
 use crate::error::Result;
 use crate::memory;
+use crate::numbers::Numbers;
 use crate::workers::Workers;
 
 /// A cycle that leaves more than this of the residual is the last.
@@ -58,7 +59,7 @@ pub(crate) struct GmresEnd {
 #[derive(Default)]
 pub(crate) struct GmresWorkspace {
     /// Room for orthonormal vectors, one behind the other, of which a cycle fills the first.
-    basis: Vec<f64>,
+    basis: Numbers,
     /// The right-hand side.
     b: Vec<f64>,
     /// What is left of it, preconditioned.
@@ -71,8 +72,6 @@ pub(crate) struct GmresWorkspace {
 const VECTORS: &str = "vectors of the iteration";
 /// Vectors that are kept at least, where memory is short.
 const LEAST_KEPT: usize = 20;
-/// Vectors that most solves do with.
-const FEW: usize = 12;
 /// Vectors that a solve takes beside those.
 const BESIDE: usize = 16;
 
@@ -85,29 +84,17 @@ impl GmresWorkspace {
     pub fn take(&mut self, options: &mut GmresOptions, entries: usize) -> Result<()> {
         options.restart = options.restart.min(options.iteration_limit);
         while self.basis.len() < (options.restart + 1) * entries {
-            let bytes = (options.restart + BESIDE).saturating_mul(entries * size_of::<f64>());
-            match memory::require(VECTORS, bytes) {
-                Ok(()) => break,
+            // That of the solves before first.
+            self.basis = Numbers::default();
+            let count = |vectors: usize| (options.restart + vectors).saturating_mul(entries);
+            let room = memory::require_items(VECTORS, count(BESIDE), size_of::<f64>());
+            match room.and_then(|()| Numbers::zeros(VECTORS, count(1))) {
+                Ok(basis) => self.basis = basis,
                 Err(_) if options.restart > LEAST_KEPT => {
-                    // That of the solves before first.
-                    self.basis = Vec::new();
                     options.restart = (options.restart / 2).max(LEAST_KEPT);
                 }
                 Err(error) => return Err(error),
             }
-        }
-        Ok(())
-    }
-
-    /// Makes room for so many entries, and for as many more, but no more than `most`; keeps what
-    /// there is. What is only zero takes no memory before it is written to, by several threads.
-    fn make_room(&mut self, entries: usize, most: usize) -> Result<()> {
-        if self.basis.len() < entries {
-            let count = (2 * entries).min(most).max(entries);
-            memory::require_items(VECTORS, count, size_of::<f64>())?;
-            let mut more = vec![0.0; count];
-            more[..self.basis.len()].copy_from_slice(&self.basis);
-            self.basis = more;
         }
         Ok(())
     }
@@ -183,8 +170,7 @@ pub(crate) fn gmres(
     };
     while run.end.error > options.tolerance && run.end.iterations < options.iteration_limit {
         let before = run.vectors.norm(&mut run.workspace.rest);
-        let left = run.cycle(rhs, before)?;
-        let progress = left.is_some_and(|left| left < STAGNATION * before);
+        let progress = (run.cycle(rhs, before)).is_some_and(|left| left < STAGNATION * before);
         if run.is_hopeless {
             break;
         }
@@ -211,10 +197,7 @@ struct Run<'a, P> {
 impl<P: Preconditioned> Run<'_, P> {
     /// Improves `x` by a cycle, from a residual of size `before`; returns the size of what is left.
     /// `None` if work is to end.
-    ///
-    /// # Errors
-    /// If memory runs out.
-    fn cycle(&mut self, x: &mut [f64], before: f64) -> Result<Option<f64>> {
+    fn cycle(&mut self, x: &mut [f64], before: f64) -> Option<f64> {
         let Run {
             operator,
             vectors,
@@ -224,18 +207,13 @@ impl<P: Preconditioned> Run<'_, P> {
         } = self;
         let (size, found) = (x.len(), vectors.norm(x));
         let products = (options.restart).min(options.iteration_limit - self.end.iterations);
-        let most = (options.restart + 1) * size;
-        workspace.make_room((FEW * size).min(most), most)?;
         let GmresWorkspace { basis, rest, .. } = &mut **workspace;
-        let basis = &mut basis[..size];
-        vectors.sums(basis, 1, |first, v, _| {
+        vectors.sums(&mut basis[..size], 1, |first, v, _| {
             let rest = &rest[first..][..v.len()];
             v.iter_mut().zip(rest).for_each(|(v, r)| *v = r / before);
         });
         let mut least = LeastSquares::new(before);
         for j in 0..products {
-            workspace.make_room((j + 2) * size, most)?;
-            let GmresWorkspace { basis, rest, .. } = &mut **workspace;
             let (known, w) = basis.split_at_mut((j + 1) * size);
             let w = &mut w[..size];
             operator.product(&known[j * size..], w);
@@ -243,7 +221,7 @@ impl<P: Preconditioned> Run<'_, P> {
             self.end.iterations += 1;
             if vectors.workers.pulse().is_err() {
                 self.end.error = f64::INFINITY;
-                return Ok(None);
+                return None;
             }
             let (column, length) = vectors.project_out(known, w);
             if length > 0.0 {
@@ -285,7 +263,7 @@ impl<P: Preconditioned> Run<'_, P> {
         };
         let Vectors { ends, weights, .. } = self.vectors;
         self.workspace.found = Some((least, ends, weights));
-        Ok(Some(left))
+        Some(left)
     }
 
     /// Finds the size of what is left of `x` by another product: what rounding in the

@@ -10,12 +10,13 @@
 //! See docs/theory.md, section 8.5.
 
 use super::constraints::Class;
-use super::dense::{DenseLu, zeros};
+use super::dense::DenseLu;
 use super::harmonic_band::{HarmonicBand, Reach, Spectra};
 use super::part::{Part, add_product};
 use crate::collocation::Collocation;
 use crate::error::Result;
 use crate::fourier::Synthesis;
+use crate::solve::linear::block::Block;
 use crate::solve::linear::dense::probe;
 use crate::workers::Workers;
 use faer::prelude::ReborrowMut;
@@ -217,12 +218,10 @@ impl Interface {
     fn factor_densely(&self, stiffness: &Spectra, workers: &Workers) -> Result<Option<DenseLu>> {
         let points = self.points;
         let stiffness = over_grid(stiffness, points);
-        let mut matrix = zeros(self.size(), self.size(), workers)?;
-        let mut columns: Vec<_> = if matrix.nrows() > 0 {
-            matrix
-                .col_iter_mut()
-                .filter_map(|c| c.try_as_col_major_mut())
-                .collect()
+        let mut matrix = Block::zeros(self.size(), self.size())?;
+        let mut columns: Vec<_> = if matrix.rows() > 0 {
+            let columns = matrix.as_mut().col_iter_mut();
+            columns.filter_map(|c| c.try_as_col_major_mut()).collect()
         } else {
             Vec::new()
         };

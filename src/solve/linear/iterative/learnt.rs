@@ -3,13 +3,14 @@
 
 use super::least_squares::LeastSquares;
 use super::long_vectors::Vectors;
+use crate::numbers::Numbers;
 use crate::workers::Workers;
 
 /// `B V = V⁺ H` of Arnoldi's method, with `H = Q R`: `B` takes `U = V R⁻¹` to the orthonormal
 /// `C = V⁺ Q`.
 pub(super) struct Learnt {
-    /// `V⁺`, one vector behind the other.
-    basis: Vec<f64>,
+    /// `V⁺`, one vector behind the other, and room for more.
+    basis: Numbers,
     /// `Q` and `R`.
     hessenberg: LeastSquares,
     /// Of the inner product in which they are orthonormal.
@@ -22,12 +23,11 @@ pub(super) struct Learnt {
 impl Learnt {
     /// Of an iteration with these vectors of so many entries.
     pub fn new(
-        mut basis: Vec<f64>,
+        basis: Numbers,
         hessenberg: LeastSquares,
         (ends, weights): ([usize; 2], [f64; 2]),
         entries: usize,
     ) -> Self {
-        basis.truncate((hessenberg.products() + 1) * entries);
         Learnt {
             basis,
             hessenberg,
@@ -40,6 +40,10 @@ impl Learnt {
     /// Products that the iteration took.
     pub fn products(&self) -> usize {
         self.hessenberg.products()
+    }
+
+    fn basis(&self) -> &[f64] {
+        &self.basis[..(self.products() + 1) * self.entries]
     }
 
     /// Whether it was of vectors of so many entries.
@@ -55,7 +59,7 @@ impl Learnt {
             ends: self.ends,
             weights: self.weights,
         };
-        let mut along = vectors.along(&self.basis, y);
+        let mut along = vectors.along(self.basis(), y);
         self.hessenberg.rotate(&mut along);
         if let Some(last) = along.last_mut() {
             *last = 0.0;
@@ -64,7 +68,7 @@ impl Learnt {
         self.hessenberg.rotate_back(&mut along);
         along.iter_mut().for_each(|c| *c = -*c);
         along.iter_mut().zip(&inverse).for_each(|(c, u)| *c += u);
-        vectors.add(y, &self.basis, &along);
+        vectors.add(y, self.basis(), &along);
     }
 }
 

@@ -1,16 +1,19 @@
 //! What equilibrium at each grid point leaves out: inertia and damping, of the softest motions at
 //! each, which are a dense system over all grid points. See docs/theory.md, section 8.6.
 
-use super::dense::{DenseLu, zeros};
+use super::dense::DenseLu;
 use super::interface::dense_work;
 use crate::collocation::{Collocation, OverGrid, Tangent};
 use crate::error::Result;
 use crate::motion::DualVector;
+use crate::numbers::Numbers;
+use crate::solve::linear::block::{Block, column_mut};
+use crate::solve::linear::blocks::strips;
 use crate::solve::linear::dense::probe;
 use crate::work::PRODUCT;
 use crate::workers::Workers;
 use faer::linalg::matmul::matmul;
-use faer::{Accum, Mat};
+use faer::{Accum, MatMut, MatRef};
 use nalgebra::{DMatrix, Matrix3, Vector6};
 
 /// Most motions at a grid point, and most over all.
@@ -22,6 +25,9 @@ const LEAST: usize = 3;
 const ITERATIONS: usize = 4;
 /// Motions with less than this part of the inertia of others depend on them.
 const DEPENDENT: f64 = 1e-14;
+
+/// Columns that are written together.
+const STRIP: usize = 64;
 
 /// The softest motions at all grid points, and their equations.
 pub(super) struct SoftMotions {
@@ -136,25 +142,30 @@ fn dot6(a: &[f64], b: &[f64]) -> f64 {
     a[..6].iter().zip(&b[..6]).map(|(a, b)| a * b).sum()
 }
 
-/// Scaled inertial forces of motions.
-fn inertial(equations: &Collocation, tangent: &Tangent, x: &[f64], forces: &mut [f64]) {
+/// Scaled inertial forces of motions; `rows` are the couplings in the rows of each node.
+fn inertial(
+    (equations, tangent): (&Collocation, &Tangent),
+    rows: &[Vec<usize>],
+    x: &[f64],
+    forces: &mut [f64],
+) {
     let (layout, points) = (equations.layout(), equations.grid().points());
-    let (rows, columns) = (equations.row_scale(), equations.column_scale());
-    forces.fill(0.0);
-    for (pair, coupling) in tangent.couplings().iter().enumerate() {
-        let (row, column) = (
-            layout.node(coupling.row).start,
-            layout.node(coupling.column).start,
-        );
-        for k in 0..points {
-            let mass = tangent.pair(pair, k).mass;
-            let at = column + 6 * k;
-            let u = Vector6::from_fn(|i, _| x[at + i] * columns[at + i]);
-            let force = mass * u;
-            let at = row + 6 * k;
-            (0..6).for_each(|i| forces[at + i] += force[i] * rows[at + i]);
+    let columns = equations.column_scale();
+    let mut nodes: Vec<_> = forces.chunks_exact_mut(6 * points).collect();
+    equations.workers().each(&mut nodes, |node, forces| {
+        forces.fill(0.0);
+        for &pair in &rows[node] {
+            let column = layout.node(tangent.couplings()[pair].column).start;
+            for (k, force) in forces.chunks_exact_mut(6).enumerate() {
+                let at = column + 6 * k;
+                let u = Vector6::from_fn(|i, _| x[at + i] * columns[at + i]);
+                let sum = tangent.pair(pair, k).mass * u;
+                force.iter_mut().zip(&sum).for_each(|(y, f)| *y += f);
+            }
         }
-    }
+        let scales = &equations.row_scale()[layout.node(node)];
+        forces.iter_mut().zip(scales).for_each(|(y, s)| *y *= s);
+    });
 }
 
 /// The softest motions at each grid point, orthonormal by their inertia there.
@@ -175,34 +186,74 @@ fn softest(
             numbers.chunks_exact(6).flat_map(of_node).collect()
         })
         .collect();
+    let mut rows = vec![Vec::new(); nodes];
+    for (pair, coupling) in tangent.couplings().iter().enumerate() {
+        rows[coupling.row].push(pair);
+    }
+    let of = (equations, tangent);
     let mut forces = vec![vec![0.0; motions]; count];
     let mut all = vec![0.0; size];
     for _ in 0..ITERATIONS {
         for (shape, force) in shapes.iter_mut().zip(&mut forces) {
-            inertial(equations, tangent, shape, force);
+            inertial(of, &rows, shape, force);
             all.fill(0.0);
             all[..motions].copy_from_slice(force);
             solve(&mut all);
             shape.copy_from_slice(&all[..motions]);
-            inertial(equations, tangent, shape, force);
+            inertial(of, &rows, shape, force);
         }
-        for k in 0..points {
-            orthonormalise(&mut shapes, &forces, (k, points))?;
-        }
+        orthonormalise(&mut shapes, &forces, points, equations.workers())?;
     }
     Some(shapes)
 }
 
-/// Makes motions at grid point `k` orthonormal by their inertial forces.
+/// Makes the motions at each grid point orthonormal by their inertial forces.
 fn orthonormalise(
     shapes: &mut [Vec<f64>],
     forces: &[Vec<f64>],
-    (k, points): (usize, usize),
+    points: usize,
+    workers: &Workers,
 ) -> Option<()> {
+    let mut turns: Vec<Option<DMatrix<f64>>> = vec![None; points];
+    workers.each(&mut turns, |k, turn| {
+        *turn = orthonormal(shapes, forces, (k, points));
+    });
+    let turns: Vec<DMatrix<f64>> = turns.into_iter().collect::<Option<_>>()?;
+    let nodes = shapes[0].len() / (6 * points);
+    let shapes = shapes
+        .iter_mut()
+        .map(|shape| shape.chunks_exact_mut(6 * points));
+    let mut shapes: Vec<_> = shapes.collect();
+    let of_node = |_| shapes.iter_mut().filter_map(Iterator::next).collect();
+    let mut nodes: Vec<Vec<&mut [f64]>> = (0..nodes).map(of_node).collect();
+    workers.each(&mut nodes, |_, shapes| {
+        let mut row = [0.0; MOST];
+        for (at, turn) in turns
+            .iter()
+            .enumerate()
+            .flat_map(|(k, turn)| (6 * k..6 * k + 6).map(move |at| (at, turn)))
+        {
+            let numbers = row.iter_mut().zip(&*shapes);
+            numbers.for_each(|(x, shape)| *x = shape[at]);
+            for (shape, column) in shapes.iter_mut().zip(turn.column_iter()) {
+                shape[at] = row.iter().zip(&column).map(|(x, t)| x * t).sum();
+            }
+        }
+    });
+    Some(())
+}
+
+/// Combinations, column by column, of motions at grid point `k` that are orthonormal by their
+/// inertial forces.
+fn orthonormal(
+    shapes: &[Vec<f64>],
+    forces: &[Vec<f64>],
+    (k, points): (usize, usize),
+) -> Option<DMatrix<f64>> {
     let count = shapes.len();
-    let places = || (6 * k..shapes[0].len()).step_by(6 * points);
     let gram = DMatrix::from_fn(count, count, |i, j| {
-        places()
+        (6 * k..shapes[0].len())
+            .step_by(6 * points)
             .map(|at| dot6(&shapes[i][at..], &forces[j][at..]))
             .sum()
     });
@@ -218,25 +269,11 @@ fn orthonormalise(
     for (mut column, value) in turn.column_iter_mut().zip(&eigen.eigenvalues) {
         column /= value.sqrt();
     }
-    let all: Vec<usize> = places().flat_map(|at| at..at + 6).collect();
-    let mut row = vec![0.0; count];
-    for at in all {
-        row.iter_mut()
-            .zip(&*shapes)
-            .for_each(|(x, shape)| *x = shape[at]);
-        for (j, shape) in shapes.iter_mut().enumerate() {
-            shape[at] = row
-                .iter()
-                .zip(turn.column(j).iter())
-                .map(|(x, t)| x * t)
-                .sum();
-        }
-    }
-    Some(())
+    Some(turn)
 }
 
 /// The Jacobian between motions, and that of equilibrium at each grid point.
-type Projected = (Mat<f64>, Vec<DMatrix<f64>>);
+type Projected = (Block, Vec<DMatrix<f64>>);
 
 /// Both; none where rates are not those of series over the grid.
 fn projected(
@@ -258,9 +295,16 @@ fn projected(
                 .collect()
         })
         .collect();
+    // Column by column: of one motion at one grid point.
     let width = ENTRIES * over.kinematics.len();
-    let mut all = vec![(Here::new(count), [(); 3].map(|()| vec![0.0; width * count])); points];
-    workers.each(&mut all, |k, (here, sides)| {
+    let side = || Numbers::zeros("the softest motions", width * size);
+    let mut sides = [side()?, side()?, side()?];
+    let mut here = vec![Here::new(count); points];
+    let [by_first, by_second, motions] =
+        sides.each_mut().map(|side| side.chunks_mut(width * count));
+    let of_points = by_first.zip(by_second).zip(motions).zip(&mut here);
+    let mut of_points: Vec<_> = of_points.collect();
+    workers.each(&mut of_points, |k, (((first, second), motions), here)| {
         let at = AtPoint {
             equations,
             tangent,
@@ -268,44 +312,39 @@ fn projected(
             unscaled: &unscaled,
             k,
         };
-        at.write(&over, here, sides);
+        at.write(&over, here, [first, second, motions]);
     });
-    // Column by column: of one motion at one grid point.
-    let side = |which: usize| -> Result<Mat<f64>> {
-        let mut side = zeros(width, size, workers)?;
-        for (k, (_, of_point)) in all.iter().enumerate() {
-            for (i, column) in of_point[which].chunks_exact(width).enumerate() {
-                side.col_as_slice_mut(count * k + i).copy_from_slice(column);
-            }
-        }
-        Ok(side)
-    };
-    let [by_first, by_second, motions] = [side(0)?, side(1)?, side(2)?];
-    let product = |by: &Mat<f64>| -> Result<Mat<f64>> {
-        let mut product = zeros(size, size, workers)?;
+    let [by_first, by_second, motions] = sides
+        .each_ref()
+        .map(|side| MatRef::from_column_major_slice(side, width, size));
+    let product = |by: MatRef<f64>| -> Result<Block> {
+        let mut product = Block::zeros(size, size)?;
         workers.dense(|par| {
-            let (to, from) = (product.as_mut(), motions.as_ref());
-            matmul(to, Accum::Replace, by.transpose(), from, 0.5, par);
+            let to = product.as_mut();
+            matmul(to, Accum::Replace, by.transpose(), motions, 0.5, par);
         });
         Ok(product)
     };
-    let (mut whole, second) = (product(&by_first)?, product(&by_second)?);
-    for l in 0..points {
-        for (k, (here, _)) in all.iter().enumerate() {
-            let [d, t] = [over.operators.first(k, l), over.operators.second(k, l)];
-            for (i, j) in (0..count).flat_map(|j| (0..count).map(move |i| (i, j))) {
-                let at = (count * k + i, count * l + j);
-                whole[at] = match k == l {
-                    true => here.still[(i, j)] + here.moving[(i, j)],
-                    false => d * whole[at] + t * second[at],
-                };
+    let (mut whole, second) = (product(by_first)?, product(by_second)?);
+    let write = |first: usize, mut columns: MatMut<f64>| {
+        for column in 0..columns.ncols() {
+            let (l, j) = ((first + column) / count, (first + column) % count);
+            let parts = column_mut(&mut columns, column).chunks_exact_mut(count);
+            let seconds = second.column(first + column).chunks_exact(count);
+            for (k, (part, second)) in parts.zip(seconds).enumerate() {
+                let [d, t] = [over.operators.first(k, l), over.operators.second(k, l)];
+                let both = part.iter_mut().zip(second);
+                both.for_each(|(whole, second)| *whole = d * *whole + t * second);
             }
+            let Here { still, moving } = &here[l];
+            let own = still.column(j) + moving.column(j);
+            column_mut(&mut columns, column)[count * l..][..count].copy_from_slice(own.as_slice());
         }
-    }
-    Ok(Some((
-        whole,
-        all.into_iter().map(|(here, _)| here.still).collect(),
-    )))
+        Ok(())
+    };
+    workers.dense(|par| strips(whole.as_mut(), STRIP, (par, workers), &write))?;
+    let still = here.into_iter().map(|here| here.still);
+    Ok(Some((whole, still.collect())))
 }
 
 /// The Jacobian between motions at one grid point: that of equilibrium, and all else.
@@ -343,7 +382,7 @@ impl AtPoint<'_> {
         &self,
         over: &OverGrid,
         Here { still, moving }: &mut Here,
-        [by_first, by_second, motions]: &mut [Vec<f64>; 3],
+        [by_first, by_second, motions]: [&mut [f64]; 3],
     ) {
         let (k, points, count) = (self.k, self.equations.grid().points(), self.shapes.len());
         let nodes = over.kinematics.len();
@@ -447,6 +486,7 @@ mod tests {
                 shape.iter().enumerate().map(here).collect()
             };
             let largest = whole
+                .as_ref()
                 .col_iter()
                 .flat_map(|c| c.iter())
                 .fold(0.0f64, |m, x| m.max(x.abs()));
@@ -459,7 +499,7 @@ mod tests {
                     for k in 0..15 {
                         let test = of_point(shape, k);
                         let exact: f64 = test.iter().zip(&y).map(|(a, b)| a * b).sum();
-                        let error = (whole[(3 * k + i, 3 * l + j)] - exact).abs();
+                        let error = (whole.column(3 * l + j)[3 * k + i] - exact).abs();
                         assert!(
                             error < 1e-9 * largest,
                             "{i} {k} {j} {l}: {error:e} {exact:e}"
