@@ -403,13 +403,14 @@ impl Periodic<'_> {
         }
     }
 
-    /// From the solution on a coarser grid, of this error. Where that resolves nothing, there may
-    /// be none near: then from the library's own starts, if that is not long work.
+    /// From the solution on a coarser grid, of this error. There may be none near, where that
+    /// resolves nothing or solves the coarse equations alone: then from the library's own starts, if
+    /// that is not long work.
     fn find_from_carried(&mut self, start: GridState, error: f64) -> Result<Found> {
-        if error <= UNRESOLVED {
-            return self.on.solve(start);
-        }
-        let found = self.solve_with_patience(start)?;
+        let found = match error <= UNRESOLVED {
+            true => self.on.solve(start)?,
+            false => self.solve_with_patience(start)?,
+        };
         if found.1.outcome.is_final() || !affords_more(&self.on) {
             return Ok(found);
         }
