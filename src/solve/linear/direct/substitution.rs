@@ -273,6 +273,7 @@ fn divided(
     }
     (roots, above)
 }
+
 /// `y −= A x`, for the matrix with these columns, rows shared among threads.
 fn subtract<'a>(
     workers: &Workers,
