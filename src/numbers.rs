@@ -6,9 +6,8 @@ use crate::memory;
 use memmap2::MmapMut;
 use std::ops::{Deref, DerefMut};
 
-/// Bytes from which on a list has pages of its own: smaller ones come and go, and have memory that
-/// others had.
-const LARGE: usize = 1 << 25;
+/// Bytes from which on a list has pages of its own.
+const LARGE: usize = 1 << 21;
 /// Bytes of a vector of the processor, which lists begin at multiples of.
 const VECTOR: usize = 64;
 
@@ -51,8 +50,8 @@ impl Numbers {
             });
         }
         let beside = VECTOR / size_of::<f64>();
-        memory::require_items(what, count + beside, size_of::<f64>())?;
-        let values = vec![0.0; count + beside];
+        let mut values = memory::room(what, count + beside)?;
+        values.resize(count + beside, 0.0);
         let first = values.as_ptr().align_offset(VECTOR).min(beside);
         Ok(Numbers {
             memory: Memory::Shared(values),
@@ -89,7 +88,7 @@ mod tests {
 
     #[test]
     fn lists_begin_with_zeros_and_keep_what_is_written() {
-        for count in [0, 1, 1000, LARGE / 8 - 1, LARGE / 8, LARGE / 4] {
+        for count in [0, 1, 1000, LARGE / 8 - 1, LARGE / 8, LARGE] {
             let mut numbers = Numbers::zeros("a list", count).unwrap();
             assert_eq!(numbers.len(), count);
             assert_eq!(numbers.as_ptr().align_offset(VECTOR), 0, "{count}");
