@@ -3,6 +3,7 @@
 use crate::error::Result;
 use crate::numbers::Numbers;
 use faer::{MatMut, MatRef};
+use std::sync::Mutex;
 
 /// Columns begin at multiples of so many numbers, for vector instructions.
 const ALIGNED: usize = 8;
@@ -26,19 +27,20 @@ impl Block {
         Ok(block)
     }
 
-    /// Gives it this size; what is in it is to be written.
+    /// Gives it this size, in the memory that it has if that will do; what is in it is to be
+    /// written.
     ///
     /// # Errors
     /// If memory runs out.
     pub fn resize(&mut self, rows: usize, columns: usize) -> Result<()> {
-        if (self.rows, self.columns) != (rows, columns) {
+        let count = stride(rows).saturating_mul(columns);
+        if count > self.values.len() {
             // The memory that it has first.
             *self = Block::default();
             let what = format!("a dense block of {rows} × {columns}");
-            let count = stride(rows).saturating_mul(columns);
             self.values = Numbers::zeros(&what, count)?;
-            (self.rows, self.columns) = (rows, columns);
         }
+        (self.rows, self.columns) = (rows, columns);
         Ok(())
     }
 
@@ -69,6 +71,44 @@ impl Block {
     }
 }
 
+/// Memory of blocks that are gone, for others.
+#[derive(Debug, Default)]
+pub(crate) struct SpareBlocks(Mutex<Vec<Block>>);
+
+impl SpareBlocks {
+    /// A block of this size, in the least memory that will do; what is in it is to be written.
+    ///
+    /// # Errors
+    /// If memory runs out.
+    pub fn take(&self, rows: usize, columns: usize) -> Result<Block> {
+        let mut block = match self.0.lock() {
+            Ok(mut spare) => {
+                let sizes = spare.iter().map(|block| block.values.len()).enumerate();
+                let (enough, few): (Vec<_>, Vec<_>) =
+                    sizes.partition(|&(_, size)| size >= stride(rows) * columns);
+                let least = enough.into_iter().min_by_key(|&(_, size)| size);
+                // Where none will do the largest makes way.
+                let found = least.or(few.into_iter().max_by_key(|&(_, size)| size));
+                found
+                    .map(|(at, _)| spare.swap_remove(at))
+                    .unwrap_or_default()
+            }
+            Err(_) => Block::default(),
+        };
+        block.resize(rows, columns)?;
+        Ok(block)
+    }
+
+    /// Gives one back.
+    pub fn give(&self, block: Block) {
+        if let Ok(mut spare) = self.0.lock()
+            && !block.values.is_empty()
+        {
+            spare.push(block);
+        }
+    }
+}
+
 /// Numbers from one column to the next, of so many rows.
 fn stride(rows: usize) -> usize {
     rows.next_multiple_of(ALIGNED)
@@ -78,4 +118,30 @@ fn stride(rows: usize) -> usize {
 pub(crate) fn column_mut<'m>(matrix: &'m mut MatMut<f64>, j: usize) -> &'m mut [f64] {
     let column = matrix.as_mut().col_mut(j).try_as_col_major_mut();
     column.map_or(&mut [], |column| column.as_slice_mut())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn memory_is_that_of_the_smallest_block_that_will_do() {
+        let spare = SpareBlocks::default();
+        for size in [8, 32, 16] {
+            spare.give(Block::zeros(size, size).unwrap());
+        }
+        let takes = |rows: usize, size: usize| {
+            let block = spare.take(rows, rows).unwrap();
+            assert_eq!((block.rows(), block.columns()), (rows, rows));
+            assert_eq!(block.values.len(), size * size);
+            block
+        };
+        let first = takes(9, 16);
+        takes(12, 32);
+        // The last one makes way.
+        takes(40, 40);
+        assert!(spare.0.lock().unwrap().is_empty());
+        spare.give(first);
+        takes(8, 16);
+    }
 }

@@ -2,7 +2,7 @@
 //! as they have pivots.
 
 use crate::error::Result;
-use crate::solve::linear::block::Block;
+use crate::solve::linear::block::{Block, SpareBlocks};
 use crate::solve::linear::blocks::{self, Diagonal};
 use crate::solve::linear::dense::largest;
 use crate::solve::linear::lu;
@@ -61,11 +61,6 @@ pub(crate) enum NoPivot {
 pub(crate) fn elimination_work(count: usize, rest: usize) -> f64 {
     let (own, rest) = (count as f64, rest as f64);
     own * own * own / 3.0 + own * own * rest + own * rest * rest
-}
-
-/// Whether what is left of so many others is no more than a third of the factors.
-fn keeps_remainder(own: usize, rest: usize) -> bool {
-    rest <= own
 }
 
 /// Memory that the factorisation of a front needs.
@@ -137,22 +132,23 @@ impl Front {
         }
     }
 
-    /// Gives back the memory of what was left of the boundary, if that is much beside the factors;
-    /// else it is kept for the next ones, as memory that is touched first takes time.
-    pub fn release(&mut self) {
-        if !keeps_remainder(self.upper.rows(), self.lower.rows()) {
-            self.remainder = Block::default();
-        }
-    }
-
     /// Gives it `own` rows and columns, and `rest` in the boundary; what is in it is to be written.
     ///
     /// # Errors
     /// If memory runs out.
-    pub fn resize(&mut self, own: usize, rest: usize) -> Result<()> {
+    pub fn resize(&mut self, own: usize, rest: usize, spare: &SpareBlocks) -> Result<()> {
         self.upper.resize(own, own + rest)?;
         self.lower.resize(rest, own)?;
-        self.remainder.resize(rest, rest)
+        if (self.remainder.rows(), self.remainder.columns()) != (rest, rest) {
+            self.release(spare);
+            self.remainder = spare.take(rest, rest)?;
+        }
+        Ok(())
+    }
+
+    /// Gives back the memory of what was left of the boundary.
+    pub fn release(&mut self, spare: &SpareBlocks) {
+        spare.give(std::mem::take(&mut self.remainder));
     }
 
     /// Eliminates the unknowns of the front, which `assemble` sums up, but for those without

@@ -1,6 +1,7 @@
 //! A factorisation, front by front, subtrees of them side by side.
 
 use crate::error::Result;
+use crate::solve::linear::block::SpareBlocks;
 use crate::solve::linear::direct::analysis::Analysis;
 use crate::solve::linear::direct::sum::Sum;
 use crate::solve::linear::front::{Front, FrontWorkspace, LARGE_FRONT, NoPivot};
@@ -18,6 +19,8 @@ pub(super) struct Factorisation<'a> {
     values: &'a [f64],
     smallest_pivot: f64,
     workspaces: Spare<FrontWorkspace>,
+    /// Memory for what fronts leave.
+    remainders: &'a SpareBlocks,
     workers: &'a Workers,
 }
 
@@ -26,13 +29,14 @@ impl<'a> Factorisation<'a> {
         analysis: &'a Analysis,
         values: &'a [f64],
         smallest_pivot: f64,
-        workers: &'a Workers,
+        (remainders, workers): (&'a SpareBlocks, &'a Workers),
     ) -> Self {
         Factorisation {
             analysis,
             values,
             smallest_pivot,
             workspaces: Spare::default(),
+            remainders,
             workers,
         }
     }
@@ -149,7 +153,8 @@ impl<'a> Factorisation<'a> {
         }
         let assemble = |front: &mut Front, place: &[usize]| {
             let sum = Sum::new((analysis, self.values), f, (first, &*before), place);
-            sum.write(front, size, (parallelism, self.workers))
+            front.resize(front.rows.len(), size - front.rows.len(), self.remainders)?;
+            sum.write(front, (parallelism, self.workers))
         };
         let no_pivot = match plan.parent {
             Some(_) => NoPivot::Waits(self.smallest_pivot),
@@ -159,7 +164,7 @@ impl<'a> Factorisation<'a> {
             return Ok(false);
         }
         for &child in &plan.children {
-            before[child - first].release();
+            before[child - first].release(self.remainders);
         }
         Ok(true)
     }

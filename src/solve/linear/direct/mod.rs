@@ -14,6 +14,7 @@ pub(crate) use with_borders::WithBorders;
 
 use crate::collocation::{Panel, Pattern};
 use crate::error::Result;
+use crate::solve::linear::block::SpareBlocks;
 use crate::solve::linear::cost::DirectCost;
 use crate::solve::linear::dense::{
     largest, solve_unit_lower_transposed, solve_upper_transposed, subtract_transposed,
@@ -52,6 +53,8 @@ const STANDS: f64 = 0.5;
 pub struct DirectSolver {
     analysis: Arc<Analysis>,
     fronts: Vec<Front>,
+    /// Memory for what fronts leave to others.
+    remainders: SpareBlocks,
     factored: bool,
     /// Largest entry of the matrix.
     largest_entry: f64,
@@ -100,6 +103,7 @@ impl DirectSolver {
         DirectSolver {
             fronts: analysis.plans.iter().map(|_| Front::empty()).collect(),
             analysis,
+            remainders: SpareBlocks::default(),
             workers,
             factored: false,
             largest_entry: 0.0,
@@ -118,7 +122,9 @@ impl DirectSolver {
         self.correction = f64::INFINITY;
         self.factored = false;
         let regular = self.factor_fronts(values);
-        self.fronts.iter_mut().for_each(Front::release);
+        for front in &mut self.fronts {
+            front.release(&self.remainders);
+        }
         self.factored = regular?;
         let entries = self.fronts.iter().map(|front| front.largest_entry);
         self.largest_entry = entries.fold(0.0, f64::max);
@@ -132,7 +138,8 @@ impl DirectSolver {
             true => self.workers.alone(),
             false => self.workers.clone(),
         };
-        Factorisation::new(analysis, values, self.smallest_pivot, &workers).run(&mut self.fronts)
+        let shared = (&self.remainders, &workers);
+        Factorisation::new(analysis, values, self.smallest_pivot, shared).run(&mut self.fronts)
     }
 
     /// Size of the largest entry of the matrix that was factored.

@@ -65,14 +65,12 @@ impl<'a> Sum<'a> {
         }
     }
 
-    /// Writes the sum to `front`, of `size` unknowns and with its rows known.
+    /// Writes the sum to `front`, which has its size.
     ///
     /// # Errors
-    /// If memory runs out, or work is to end.
-    pub fn write(&self, front: &mut Front, size: usize, shared: (Par, &Workers)) -> Result<()> {
-        let count = front.rows.len();
-        let rest = size - count;
-        front.resize(count, rest)?;
+    /// If work is to end.
+    pub fn write(&self, front: &mut Front, shared: (Par, &Workers)) -> Result<()> {
+        let (count, size) = (front.upper.rows(), front.upper.columns());
         self.largest.store(0, Ordering::Relaxed);
         let width = (STRIP / size.max(1)).max(1);
         let Front {
