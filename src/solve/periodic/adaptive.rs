@@ -404,8 +404,8 @@ impl Periodic<'_> {
     }
 
     /// From the solution on a coarser grid, of this error. There may be none near, where that
-    /// resolves nothing or solves the coarse equations alone: then from the library's own starts, if
-    /// that is not long work.
+    /// resolves nothing or solves the coarse equations alone: then from the library's own starts,
+    /// if that is not long work.
     fn find_from_carried(&mut self, start: GridState, error: f64) -> Result<Found> {
         let found = match error <= UNRESOLVED {
             true => self.on.solve(start)?,
