@@ -229,6 +229,11 @@ impl Tangent {
         self.layout.couplings.all()
     }
 
+    /// Those in the rows of a node, by number.
+    pub fn couplings_of_row(&self, node: usize) -> &[usize] {
+        self.layout.couplings.of_row(node)
+    }
+
     /// Tangents of the coupling `pair` at grid point `k`, not scaled.
     pub fn pair(&self, pair: usize, k: usize) -> PairTangent<'_> {
         let at = self.layout.coupling_at.of(pair).start + k;

@@ -81,20 +81,17 @@ impl SpareBlocks {
     /// # Errors
     /// If memory runs out.
     pub fn take(&self, rows: usize, columns: usize) -> Result<Block> {
-        let mut block = match self.0.lock() {
-            Ok(mut spare) => {
-                let sizes = spare.iter().map(|block| block.values.len()).enumerate();
-                let (enough, few): (Vec<_>, Vec<_>) =
-                    sizes.partition(|&(_, size)| size >= stride(rows) * columns);
-                let least = enough.into_iter().min_by_key(|&(_, size)| size);
-                // Where none will do the largest makes way.
-                let found = least.or(few.into_iter().max_by_key(|&(_, size)| size));
-                found
-                    .map(|(at, _)| spare.swap_remove(at))
-                    .unwrap_or_default()
-            }
-            Err(_) => Block::default(),
+        let wanted = stride(rows).saturating_mul(columns);
+        // Where none will do the largest makes way.
+        let fit = |block: &Block| match block.values.len().checked_sub(wanted) {
+            Some(beyond) => (false, beyond),
+            None => (true, wanted - block.values.len()),
         };
+        let found = self.0.lock().ok().and_then(|mut spare| {
+            let best = (0..spare.len()).min_by_key(|&at| fit(&spare[at]));
+            best.map(|at| spare.swap_remove(at))
+        });
+        let mut block = found.unwrap_or_default();
         block.resize(rows, columns)?;
         Ok(block)
     }

@@ -63,10 +63,11 @@ impl Analysis {
     }
 
     fn planned(groups: Vec<Range<usize>>, plans: Vec<FrontPlan>, all_panels: Vec<Panel>) -> Self {
-        let in_order = groups
-            .iter()
-            .try_fold(0, |end, group| (group.start == end).then_some(group.end));
-        debug_assert!(in_order.is_some(), "a gap between groups");
+        let follows = |end: usize, group: &Range<usize>| (group.start == end).then_some(group.end);
+        debug_assert!(
+            groups.iter().try_fold(0, follows).is_some(),
+            "a gap between groups"
+        );
         let mut front_of = vec![0; groups.len()];
         for (f, front) in plans.iter().enumerate() {
             for &g in &front.own {

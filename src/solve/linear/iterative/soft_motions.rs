@@ -142,19 +142,14 @@ fn dot6(a: &[f64], b: &[f64]) -> f64 {
     a[..6].iter().zip(&b[..6]).map(|(a, b)| a * b).sum()
 }
 
-/// Scaled inertial forces of motions; `rows` are the couplings in the rows of each node.
-fn inertial(
-    (equations, tangent): (&Collocation, &Tangent),
-    rows: &[Vec<usize>],
-    x: &[f64],
-    forces: &mut [f64],
-) {
+/// Scaled inertial forces of motions.
+fn inertial(equations: &Collocation, tangent: &Tangent, x: &[f64], forces: &mut [f64]) {
     let (layout, points) = (equations.layout(), equations.grid().points());
     let columns = equations.column_scale();
     let mut nodes: Vec<_> = forces.chunks_exact_mut(6 * points).collect();
     equations.workers().each(&mut nodes, |node, forces| {
         forces.fill(0.0);
-        for &pair in &rows[node] {
+        for &pair in tangent.couplings_of_row(node) {
             let column = layout.node(tangent.couplings()[pair].column).start;
             for (k, force) in forces.chunks_exact_mut(6).enumerate() {
                 let at = column + 6 * k;
@@ -186,21 +181,16 @@ fn softest(
             numbers.chunks_exact(6).flat_map(of_node).collect()
         })
         .collect();
-    let mut rows = vec![Vec::new(); nodes];
-    for (pair, coupling) in tangent.couplings().iter().enumerate() {
-        rows[coupling.row].push(pair);
-    }
-    let of = (equations, tangent);
     let mut forces = vec![vec![0.0; motions]; count];
     let mut all = vec![0.0; size];
     for _ in 0..ITERATIONS {
         for (shape, force) in shapes.iter_mut().zip(&mut forces) {
-            inertial(of, &rows, shape, force);
+            inertial(equations, tangent, shape, force);
             all.fill(0.0);
             all[..motions].copy_from_slice(force);
             solve(&mut all);
             shape.copy_from_slice(&all[..motions]);
-            inertial(of, &rows, shape, force);
+            inertial(equations, tangent, shape, force);
         }
         orthonormalise(&mut shapes, &forces, points, equations.workers())?;
     }
