@@ -54,7 +54,12 @@ fn a_free_body_is_named_with_its_direction() {
     model.prescribe(rotation1(0), &cosine(0.1)).unwrap();
     let force = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
     add_load(&mut model, free, LoadFrame::Space, &[0.0; 6], &force);
-    let explanation = singular(&model, 1.0, 5);
+    let solution = try_solve(&model, 1.0, 5).unwrap();
+    let (outcome, explanation) = outcome_and_explanation(&solution);
+    assert_eq!(outcome, Outcome::Singular, "{explanation}");
+    // It is as free from any other start.
+    let attempts = &solution.details().periodic().unwrap().attempts;
+    assert_eq!(attempts.len(), 1, "{attempts:?}");
     assert!(
         explanation.contains(&format!("node {free}")),
         "{explanation}"

@@ -63,3 +63,31 @@ pub(super) fn parts(system: &System, counts: impl Fn(&Placed) -> bool) -> Vec<Op
         })
         .collect()
 }
+
+impl System {
+    /// Whether no joint or force connects some of the nodes to the ground, be it through others: at
+    /// another place these move as they do here.
+    pub(crate) fn has_floating_nodes(&self) -> bool {
+        let ground = self.nodes();
+        let mut connected = Partition::new(ground + 1);
+        for placed in self.elements() {
+            let nodes = placed.element.nodes();
+            match placed.role {
+                ElementRole::Inertia | ElementRole::Load | ElementRole::MassDamping => continue,
+                // Some depend on where in space their nodes are.
+                ElementRole::Force(_) => nodes.iter().for_each(|&n| connected.join(n, ground)),
+                _ => {}
+            }
+            for pair in nodes.windows(2) {
+                connected.join(pair[0], pair[1]);
+            }
+            if let (ElementRole::Joint(_), [node]) = (placed.role, nodes) {
+                connected.join(*node, ground);
+            }
+        }
+        let representatives = connected.representatives();
+        representatives
+            .iter()
+            .any(|&r| r != representatives[ground])
+    }
+}

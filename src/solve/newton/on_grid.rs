@@ -245,6 +245,12 @@ impl<'a> OnGrid<'a> {
         Ok(())
     }
 
+    /// Whether an outcome leaves no reason to try another start: what nothing holds is free from
+    /// any of them.
+    pub fn is_final(&self, outcome: Outcome) -> bool {
+        outcome.is_final() || outcome == Outcome::Singular && self.system.has_floating_nodes()
+    }
+
     /// Forgets what has been found about the equations, which the present grid may not share.
     pub fn begin_again(&mut self) -> Result<()> {
         let next = self.means.on(&self.system, self.grid)?;

@@ -392,7 +392,7 @@ impl Periodic<'_> {
             let found = self.solve_with_patience(rest);
             self.on.means.newton.iteration_limit = most;
             let found = found?;
-            if found.1.outcome.is_final() {
+            if self.on.is_final(found.1.outcome) {
                 return Ok(found);
             }
             self.on.begin_again()?;
@@ -411,7 +411,7 @@ impl Periodic<'_> {
             true => self.on.solve(start)?,
             false => self.solve_with_patience(start)?,
         };
-        if found.1.outcome.is_final() || !affords_more(&self.on) {
+        if self.on.is_final(found.1.outcome) || !affords_more(&self.on) {
             return Ok(found);
         }
         self.on.begin_again()?;
@@ -435,7 +435,7 @@ impl Periodic<'_> {
             self.on.move_to(self.on.grid.with_points(points)?)?;
         }
         let (state, report) = self.starts.solve_at_once(&mut self.on)?;
-        if report.outcome.is_final() {
+        if self.on.is_final(report.outcome) {
             return Ok((state, report));
         }
         self.on.move_to(self.starts.grid)?;

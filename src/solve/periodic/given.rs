@@ -107,7 +107,7 @@ impl Periodic<'_> {
     fn find_near(&mut self, grid: TimeGrid) -> Result<Found> {
         if self.starts.grid != grid {
             let found = self.starts.solve_at_once(&mut self.on)?;
-            if found.1.outcome.is_final() {
+            if self.on.is_final(found.1.outcome) {
                 return Ok(found);
             }
             self.on.begin_again()?;

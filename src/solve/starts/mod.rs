@@ -236,7 +236,7 @@ impl Starts {
                 outcome: report.outcome,
                 explanation: report.explanation.clone(),
             });
-            if report.outcome.is_final() {
+            if on.is_final(report.outcome) {
                 return Ok((state, report));
             }
             // What stopped Newton's method on the grid says more than why there was no start.
@@ -349,7 +349,7 @@ impl Starts {
                 continue;
             };
             let next = on.solve(state)?;
-            if next.1.outcome.is_final() || is_last || tries.peek().is_none() {
+            if on.is_final(next.1.outcome) || is_last || tries.peek().is_none() {
                 return Ok(Some(next));
             }
             found = Some(next);
