@@ -3,20 +3,27 @@
 
 use crate::error::Result;
 use crate::memory;
+use bytemuck::{Pod, cast_slice, cast_slice_mut};
 use memmap2::MmapMut;
-use std::ops::{Deref, DerefMut};
+use std::marker::PhantomData;
+use std::ops::{Deref, DerefMut, Range};
 
+/// Bytes of a large page.
+const PAGE: usize = 1 << 21;
 /// Bytes from which on a list has pages of its own.
-const LARGE: usize = 1 << 21;
+const LARGE: usize = 3 << 19;
+/// The last page is a large one where at least this part of a list's bytes would be beside it.
+const BESIDE: usize = 3;
 /// Bytes of a vector of the processor, which lists begin at multiples of.
 const VECTOR: usize = 64;
 
-/// A list of numbers, zeros at first.
-#[derive(Debug, Default)]
-pub(crate) struct Numbers {
+/// A list of numbers, or of vectors or matrices of them, zeros at first.
+#[derive(Debug)]
+pub(crate) struct Numbers<T = f64> {
     memory: Memory,
-    first: usize,
-    count: usize,
+    /// Where it is in that.
+    place: Range<usize>,
+    of: PhantomData<T>,
 }
 
 #[derive(Debug)]
@@ -25,59 +32,72 @@ enum Memory {
     Own(MmapMut),
 }
 
-impl Default for Memory {
-    fn default() -> Self {
-        Memory::Shared(Vec::new())
+impl<T> Numbers<T> {
+    /// In so much memory, from this number on.
+    fn within(memory: Memory, first: usize, bytes: usize) -> Self {
+        Numbers {
+            memory,
+            place: first..first + bytes / size_of::<f64>(),
+            of: PhantomData,
+        }
     }
 }
 
-impl Numbers {
+impl<T> Default for Numbers<T> {
+    fn default() -> Self {
+        Self::within(Memory::Shared(Vec::new()), 0, 0)
+    }
+}
+
+impl<T: Pod> Numbers<T> {
     /// So many of them, for this.
     ///
     /// # Errors
     /// [`crate::error::ErrorKind::OutOfMemory`].
     pub fn zeros(what: &str, count: usize) -> Result<Self> {
-        let bytes = count.saturating_mul(size_of::<f64>());
+        let bytes = count.saturating_mul(size_of::<T>());
         if bytes >= LARGE {
-            let pages = MmapMut::map_anon(bytes).map_err(|_| memory::lacking(what, bytes))?;
+            let whole = bytes.checked_next_multiple_of(PAGE).unwrap_or(bytes);
+            let taken = match BESIDE * (whole - bytes) <= bytes {
+                true => whole,
+                false => bytes,
+            };
+            let mapped = MmapMut::map_anon(taken.saturating_add(PAGE));
+            let pages = mapped.map_err(|_| memory::lacking(what, bytes))?;
+            let first = pages.as_ptr().align_offset(PAGE).min(PAGE);
             // Where there are none, small ones serve.
             #[cfg(target_os = "linux")]
-            let _ = pages.advise(memmap2::Advice::HugePage);
-            return Ok(Numbers {
-                memory: Memory::Own(pages),
-                first: 0,
-                count,
-            });
+            let _ = pages.advise_range(memmap2::Advice::HugePage, first, taken);
+            let first = first / size_of::<f64>();
+            return Ok(Self::within(Memory::Own(pages), first, bytes));
         }
-        let beside = VECTOR / size_of::<f64>();
+        let (count, beside) = (bytes / size_of::<f64>(), VECTOR / size_of::<f64>());
         let mut values = memory::room(what, count + beside)?;
         values.resize(count + beside, 0.0);
         let first = values.as_ptr().align_offset(VECTOR).min(beside);
-        Ok(Numbers {
-            memory: Memory::Shared(values),
-            first,
-            count,
-        })
+        Ok(Self::within(Memory::Shared(values), first, bytes))
     }
 }
 
-impl Deref for Numbers {
-    type Target = [f64];
+impl<T: Pod> Deref for Numbers<T> {
+    type Target = [T];
 
-    fn deref(&self) -> &[f64] {
-        match &self.memory {
-            Memory::Shared(values) => &values[self.first..][..self.count],
-            Memory::Own(pages) => bytemuck::cast_slice(pages),
-        }
+    fn deref(&self) -> &[T] {
+        let all = match &self.memory {
+            Memory::Shared(values) => values,
+            Memory::Own(pages) => cast_slice(pages),
+        };
+        cast_slice(&all[self.place.clone()])
     }
 }
 
-impl DerefMut for Numbers {
-    fn deref_mut(&mut self) -> &mut [f64] {
-        match &mut self.memory {
-            Memory::Shared(values) => &mut values[self.first..][..self.count],
-            Memory::Own(pages) => bytemuck::cast_slice_mut(pages),
-        }
+impl<T: Pod> DerefMut for Numbers<T> {
+    fn deref_mut(&mut self) -> &mut [T] {
+        let all = match &mut self.memory {
+            Memory::Shared(values) => values,
+            Memory::Own(pages) => cast_slice_mut(pages),
+        };
+        cast_slice_mut(&mut all[self.place.clone()])
     }
 }
 
@@ -89,7 +109,7 @@ mod tests {
     #[test]
     fn lists_begin_with_zeros_and_keep_what_is_written() {
         for count in [0, 1, 1000, LARGE / 8 - 1, LARGE / 8, LARGE] {
-            let mut numbers = Numbers::zeros("a list", count).unwrap();
+            let mut numbers: Numbers = Numbers::zeros("a list", count).unwrap();
             assert_eq!(numbers.len(), count);
             assert_eq!(numbers.as_ptr().align_offset(VECTOR), 0, "{count}");
             assert!(numbers.iter().all(|x| *x == 0.0));
@@ -101,7 +121,7 @@ mod tests {
 
     #[test]
     fn what_no_machine_has_is_refused() {
-        let error = Numbers::zeros("a list", isize::MAX as usize / 8).unwrap_err();
+        let error = Numbers::<f64>::zeros("a list", isize::MAX as usize / 8).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::OutOfMemory);
         assert!(error.to_string().starts_with("a list: "), "{error}");
     }

@@ -36,6 +36,7 @@ use super::state::GridState;
 use crate::elements::{Contribution, StrainTangent, StressLaw};
 use crate::error::Result;
 use crate::motion::{self, DualVector};
+use crate::numbers::Numbers;
 use crate::system::{Layout, System, Workspace};
 use crate::workers::{Workers, parts};
 use layout::TangentLayout;
@@ -107,7 +108,7 @@ pub struct Tangent {
     /// Whether all grid points are the same.
     is_constant: bool,
     /// `K`, `C` and `M` of one coupling after the other, at one grid point after the other.
-    pairs: [Vec<Matrix6<f64>>; 3],
+    pairs: [Numbers<Matrix6<f64>>; 3],
     /// Of each element.
     own: Vec<OwnTangent>,
     /// One strain tangent after the other, likewise.
@@ -368,6 +369,10 @@ impl Tangent {
     /// resultants are not apart, they keep their velocities and accelerations at this state until
     /// the last use of these tangents.
     pub fn evaluate(&mut self, equations: &mut Collocation, state: &GridState) -> Result<()> {
+        let total = self.layout.coupling_at.total();
+        for list in self.pairs.iter_mut().filter(|list| list.len() != total) {
+            *list = Numbers::zeros("tangents", total)?;
+        }
         equations.update_kinematics(state);
         // Not two of them at a time.
         self.rule = None;
@@ -385,10 +390,6 @@ impl Tangent {
         let strains = parts(&mut self.strains, counts);
         let own = division.deal(strains.zip(&mut self.own).zip(asked));
         let [stiffness, damping, mass] = self.pairs.each_mut().map(|list| {
-            let total = layout.coupling_at.total();
-            if list.len() != total {
-                *list = division.workers.list(total, Matrix6::zeros());
-            }
             let columns = |share: &Share| layout.couplings.of_columns(share.nodes.clone());
             let count = |share: &Share| layout.coupling_at.of_all(columns(share)).len();
             division.split_by(list, count).into_iter()

@@ -56,6 +56,12 @@ impl Block {
         &self.values[j * stride(self.rows)..][..self.rows]
     }
 
+    /// The same for many of them.
+    pub fn each_column<'a>(&'a self) -> impl Fn(usize) -> &'a [f64] + Copy + Sync {
+        let (values, rows, stride) = (&self.values[..], self.rows, stride(self.rows));
+        move |j| &values[j * stride..][..rows]
+    }
+
     pub fn as_ref(&self) -> MatRef<'_, f64> {
         let stride = stride(self.rows);
         MatRef::from_column_major_slice_with_stride(&self.values, self.rows, self.columns, stride)

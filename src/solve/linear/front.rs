@@ -114,7 +114,7 @@ impl Front {
 
     /// The rows of a column of the factors below their pivots: of equations without pivots, and of
     /// the boundary.
-    pub fn below(&self, column: usize) -> [&[f64]; 2] {
+    fn below(&self, column: usize) -> [&[f64]; 2] {
         let upper = &self.upper.column(column)[self.rows.len()..];
         [upper, self.lower.column(column)]
     }

@@ -18,8 +18,8 @@
 //!   `direct/with_borders` with factors of both (docs/theory.md, section 8.8).
 //! * `diagnosis` says what is free to move, or which constraints say the same thing twice
 //!   (docs/theory.md, section 7.5).
-//! * Dense kernels: `dense` with one vector, `blocks` with large matrices, `lu` for their factors,
-//!   `eigenvalues`.
+//! * Dense kernels: `triangles` with one vector, `blocks` with large matrices, `lu` for their
+//!   factors, `eigenvalues`; what else is asked of vectors in `dense`.
 
 pub(crate) mod assembled;
 mod block;
@@ -44,4 +44,5 @@ mod partial_lu;
 pub(crate) mod plan;
 mod slender;
 pub(crate) mod solver;
+mod triangles;
 mod two_branches;

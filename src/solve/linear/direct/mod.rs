@@ -16,13 +16,14 @@ use crate::collocation::{Panel, Pattern};
 use crate::error::Result;
 use crate::solve::linear::block::SpareBlocks;
 use crate::solve::linear::cost::DirectCost;
-use crate::solve::linear::dense::{
-    largest, solve_unit_lower_transposed, solve_upper_transposed, subtract_transposed,
-};
+use crate::solve::linear::dense::largest;
 use crate::solve::linear::direct::analysis::Analysis;
 use crate::solve::linear::direct::factorisation::Factorisation;
 use crate::solve::linear::front::{Front, LARGE_FRONT};
 use crate::solve::linear::solver::COARSE;
+use crate::solve::linear::triangles::{
+    solve_unit_lower_transposed, solve_upper_transposed, subtract_transposed,
+};
 use crate::work::{OF_FACTORS, SUBSTITUTION};
 use crate::workers::Workers;
 use std::ops::Range;
@@ -179,9 +180,10 @@ impl DirectSolver {
             let (first, count) = (reduced.len(), front.rows.len());
             reduced.extend(front.columns.iter().map(|&column| rhs[column]));
             let y = &mut reduced[first..];
-            solve_upper_transposed(|j| front.upper.column(j), y);
+            let upper = front.upper.each_column();
+            solve_upper_transposed(upper, y);
             self.gather(&front.delayed_columns, &plan.boundary, rhs, &mut local);
-            subtract_transposed(&mut local, |j| front.upper.column(count + j), y);
+            subtract_transposed(&mut local, |j| upper(count + j), y);
             self.scatter(&front.delayed_columns, &plan.boundary, &local, rhs);
         }
         for (plan, front) in self.analysis.plans.iter().zip(&self.fronts).rev() {
@@ -190,10 +192,10 @@ impl DirectSolver {
             let y = &mut reduced[first..];
             self.gather(&front.delayed_rows, &plan.boundary, rhs, &mut local);
             let (delayed, boundary) = local.split_at(front.delayed_rows.len());
-            for (rows, part) in [delayed, boundary].into_iter().enumerate() {
-                subtract_transposed(y, |j| front.below(j)[rows], part);
-            }
-            solve_unit_lower_transposed(|j| front.upper.column(j), y);
+            let (upper, lower) = (front.upper.each_column(), front.lower.each_column());
+            subtract_transposed(y, |j| &upper(j)[front.rows.len()..], delayed);
+            subtract_transposed(y, lower, boundary);
+            solve_unit_lower_transposed(upper, y);
             for (&row, x) in front.rows.iter().zip(&*y) {
                 rhs[row] = *x;
             }

@@ -2,8 +2,8 @@
 //! all share what these lead to.
 
 use super::DirectSolver;
-use crate::solve::linear::dense::{solve_unit_lower, solve_upper, subtract_product};
 use crate::solve::linear::ordering::FrontPlan;
+use crate::solve::linear::triangles::{solve_unit_lower, solve_upper, subtract_product};
 use crate::work::SUBSTITUTION;
 use crate::workers::{Workers, parts};
 use std::ops::Range;
@@ -30,7 +30,7 @@ impl DirectSolver {
         }
         let read = self.size_of_factors();
         self.workers.work().spend(SUBSTITUTION * read as f64);
-        let workers = self.workers.for_work(read);
+        let workers = for_reading(&self.workers, read);
         if workers.threads() > 1 {
             self.solve_shared(rhs, &workers);
         } else {
@@ -108,7 +108,8 @@ impl DirectSolver {
         let mut costs: Vec<Cost> = Vec::with_capacity(plans.len());
         for (front, plan) in self.fronts.iter().zip(plans) {
             let below = plan.children.iter().map(|&child| costs[child]);
-            costs.push(below.fold(Cost::of(front.numbers(), workers), Cost::sum));
+            let own = Cost::of(front.rows.len(), front.left_over(), workers);
+            costs.push(below.fold(own, Cost::sum));
         }
         let (roots, mut above) =
             divided((plans, &costs), &self.analysis.roots(), workers.threads());
@@ -138,12 +139,12 @@ impl DirectSolver {
             let first = reduced.len();
             reduced.extend(front.rows.iter().map(|&row| rhs[row]));
             let y = &mut reduced[first..];
-            lower(workers, |j| front.upper.column(j), y);
+            let (upper, below) = (front.upper.each_column(), front.lower.each_column());
+            lower(workers, upper, y);
             self.gather(&front.delayed_rows, &plan.boundary, rhs, &mut local);
             let (delayed, boundary) = local.split_at_mut(front.delayed_rows.len());
-            for (rows, part) in [delayed, boundary].into_iter().enumerate() {
-                subtract(workers, part, |j| front.below(j)[rows], y);
-            }
+            subtract(workers, delayed, |j| &upper(j)[front.rows.len()..], y);
+            subtract(workers, boundary, below, y);
             self.scatter(&front.delayed_rows, &plan.boundary, &local, rhs);
         }
     }
@@ -164,8 +165,9 @@ impl DirectSolver {
             let first = reduced.len() - count;
             let y = &mut reduced[first..];
             self.gather(&front.delayed_columns, &plan.boundary, rhs, &mut local);
-            subtract(workers, y, |j| front.upper.column(count + j), &local);
-            upper(workers, |j| front.upper.column(j), y);
+            let of_front = front.upper.each_column();
+            subtract(workers, y, |j| of_front(count + j), &local);
+            upper(workers, of_front, y);
             for (&column, x) in front.columns.iter().zip(&*y) {
                 rhs[column] = *x;
             }
@@ -178,7 +180,7 @@ impl DirectSolver {
         let analysis = &self.analysis;
         let sizes = analysis.groups.iter().map(ExactSizeIterator::len);
         let mut groups: Vec<_> = parts(y, sizes).collect();
-        let workers = self.workers.for_work(values.len());
+        let workers = for_reading(&self.workers, values.len());
         workers.each(&mut groups, |g, y| {
             for panel in &analysis.rows[g] {
                 let column = analysis.groups[panel.column.0].start + panel.column.1;
@@ -202,14 +204,21 @@ struct Cost {
 }
 
 impl Cost {
-    /// Of a front with so many numbers.
-    fn of(numbers: usize, workers: &Workers) -> Self {
-        let alone = numbers as f64;
-        let together = match workers.for_work(numbers).threads() {
-            1 => alone,
-            threads => MEETING * alone / threads as f64,
+    /// Of a front with so many unknowns of its own, and others in their rows and columns.
+    fn of(count: usize, others: usize, workers: &Workers) -> Self {
+        let shared = |numbers: usize| match for_reading(workers, numbers).threads() {
+            1 => numbers as f64,
+            threads => MEETING * numbers as f64 / threads as f64,
         };
-        Cost { alone, together }
+        let mut together = 2.0 * shared(count * others);
+        for (start, end) in blocks(count) {
+            let own = end - start;
+            together += (own * own) as f64 + 2.0 * shared(own * (count - end));
+        }
+        Cost {
+            alone: (count * (count + 2 * others)) as f64,
+            together,
+        }
     }
 
     fn sum(self, other: Cost) -> Self {
@@ -274,6 +283,17 @@ fn divided(
     (roots, above)
 }
 
+/// These threads, if to read so many numbers is worth sharing among them, or one.
+fn for_reading(workers: &Workers, numbers: usize) -> Workers {
+    workers.for_work((SUBSTITUTION * numbers as f64) as usize)
+}
+
+/// Where parts of a triangle begin and end: beyond each its rows are shared.
+fn blocks(count: usize) -> impl DoubleEndedIterator<Item = (usize, usize)> {
+    let starts = (0..count).step_by(BLOCK);
+    starts.map(move |start| (start, (start + BLOCK).min(count)))
+}
+
 /// `y −= A x`, for the matrix with these columns, rows shared among threads.
 fn subtract<'a>(
     workers: &Workers,
@@ -281,7 +301,7 @@ fn subtract<'a>(
     column: impl Fn(usize) -> &'a [f64] + Sync,
     x: &[f64],
 ) {
-    let workers = workers.for_work(y.len() * x.len());
+    let workers = for_reading(workers, y.len() * x.len());
     if workers.threads() == 1 {
         return subtract_product(y, column, x);
     }
@@ -298,8 +318,7 @@ fn lower<'a>(workers: &Workers, column: impl Fn(usize) -> &'a [f64] + Sync, y: &
     if workers.threads() == 1 {
         return solve_unit_lower(column, y);
     }
-    for start in (0..count).step_by(BLOCK) {
-        let end = (start + BLOCK).min(count);
+    for (start, end) in blocks(count) {
         let (found, rest) = y.split_at_mut(end);
         let found = &mut found[start..];
         solve_unit_lower(|j| &column(start + j)[start..end], found);
@@ -312,14 +331,11 @@ fn upper<'a>(workers: &Workers, column: impl Fn(usize) -> &'a [f64] + Sync, y: &
     if workers.threads() == 1 {
         return solve_upper(column, y);
     }
-    let mut end = y.len();
-    while end > 0 {
-        let start = end.saturating_sub(BLOCK);
+    for (start, end) in blocks(y.len()).rev() {
         let (rest, found) = y.split_at_mut(start);
         let found = &mut found[..end - start];
         solve_upper(|j| &column(start + j)[start..end], found);
         subtract(workers, rest, |j| &column(start + j)[..start], found);
-        end = start;
     }
 }
 

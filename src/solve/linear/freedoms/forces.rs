@@ -5,7 +5,8 @@ use super::point::{Point, add};
 use super::{Constraints, Layout};
 use crate::collocation::{Collocation, GridState, MotionTangent, Panel, Pattern};
 use crate::error::Result;
-use crate::solve::linear::dense::{largest, subtract_product};
+use crate::solve::linear::dense::largest;
+use crate::solve::linear::triangles::subtract_product;
 
 /// The forces that motions cause, `K`.
 #[derive(Debug)]

@@ -11,8 +11,9 @@ mod point;
 
 use crate::collocation::{Collocation, GridState, MotionTangent, Pattern};
 use crate::error::Result;
-use crate::solve::linear::dense::{largest, solve_unit_lower, solve_upper};
+use crate::solve::linear::dense::largest;
 use crate::solve::linear::partial_lu::factor_partially;
+use crate::solve::linear::triangles::{solve_unit_lower, solve_upper};
 use crate::work::OF_FACTORS;
 use crate::workers::Workers;
 use faer::{Mat, Par};

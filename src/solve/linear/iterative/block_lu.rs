@@ -6,6 +6,7 @@ use super::lane_blocks::{add_block_product, invert, two};
 use super::lanes::{LANES, Lanes};
 use crate::solve::linear::ordering::{FrontPlan, NEVER, elimination};
 use crate::workers::Workers;
+use faer::traits::pulp::{Arch, Simd, WithSimd};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Where blocks are, and the order of elimination.
@@ -185,6 +186,7 @@ impl BlockStructure {
     }
 
     /// First unknown of a block row, and their number.
+    #[inline(always)]
     fn part(&self, row: usize) -> (usize, usize) {
         (self.first[row], self.sizes[row])
     }
@@ -255,6 +257,45 @@ fn steps(order: &[FrontPlan], mut place: impl FnMut(usize, usize) -> usize) -> V
     order.iter().map(step).collect()
 }
 
+/// Work on blocks, by the vector instructions that the processor has.
+struct FactorBlocks<'a, T: Lanes>(&'a mut BlockLanes<T>, &'a BlockStructure);
+
+impl<T: Lanes> WithSimd for FactorBlocks<'_, T> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) -> bool {
+        self.0.factor_blocks(self.1)
+    }
+}
+
+struct ForwardByBlocks<'a, T: Lanes>(&'a BlockLanes<T>, &'a BlockStructure, &'a mut [T]);
+
+impl<T: Lanes> WithSimd for ForwardByBlocks<'_, T> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        self.0.forward_by_blocks(self.1, self.2);
+    }
+}
+
+struct BackwardByBlocks<'a, T: Lanes>(
+    &'a BlockLanes<T>,
+    &'a BlockStructure,
+    &'a mut [T],
+    &'a mut Vec<T>,
+);
+
+impl<T: Lanes> WithSimd for BackwardByBlocks<'_, T> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        self.0.backward_by_blocks(self.1, self.2, self.3);
+    }
+}
+
 /// [`LANES`] matrices, or their factors: `L` and `U` without the diagonal blocks, and these
 /// inverted; or those of fronts, and what is kept.
 #[derive(Debug, Clone)]
@@ -321,7 +362,7 @@ impl<T: Lanes> BlockLanes<T> {
     pub fn factor(&mut self, structure: &BlockStructure, workers: &Workers) -> bool {
         match &structure.fronts {
             Some(fronts) => self.factor_fronts(structure, fronts, workers),
-            None => self.factor_blocks(structure),
+            None => Arch::new().dispatch(FactorBlocks(self, structure)),
         }
     }
 
@@ -352,12 +393,13 @@ impl<T: Lanes> BlockLanes<T> {
         true
     }
 
+    #[inline(always)]
     fn factor_blocks(&mut self, structure: &BlockStructure) -> bool {
-        let mut left = Vec::new();
+        let (mut left, mut exchanged) = (Vec::new(), Vec::new());
         for step in &structure.steps {
             let size = structure.sizes[step.pivot];
             let pivot = &mut self.values[step.pivot_block..][..size * size];
-            if !invert(pivot, size) {
+            if !invert(pivot, size, &mut exchanged) {
                 return false;
             }
             for &(row, below, _) in &step.later {
@@ -404,6 +446,11 @@ impl<T: Lanes> BlockLanes<T> {
                 factors.forward(fronts, x, scratch)
             });
         }
+        Arch::new().dispatch(ForwardByBlocks(self, structure, x));
+    }
+
+    #[inline(always)]
+    fn forward_by_blocks(&self, structure: &BlockStructure, x: &mut [T]) {
         for step in &structure.steps {
             for &(row, below, _) in &step.later {
                 let (pivot, target) = two(x, structure.part(step.pivot), structure.part(row));
@@ -426,7 +473,11 @@ impl<T: Lanes> BlockLanes<T> {
                 factors.backward(fronts, x, scratch)
             });
         }
-        let scratch = &mut scratch.lanes;
+        Arch::new().dispatch(BackwardByBlocks(self, structure, x, &mut scratch.lanes));
+    }
+
+    #[inline(always)]
+    fn backward_by_blocks(&self, structure: &BlockStructure, x: &mut [T], scratch: &mut Vec<T>) {
         for step in structure.steps.iter().rev() {
             for &(row, _, beside) in &step.later {
                 let (other, target) = two(x, structure.part(row), structure.part(step.pivot));

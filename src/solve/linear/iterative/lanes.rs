@@ -3,7 +3,7 @@
 use nalgebra::{Complex, ComplexField};
 
 /// Matrices that are worked on together.
-pub(super) const LANES: usize = 8;
+pub(super) const LANES: usize = 4;
 
 /// A number that dense kernels know.
 pub(super) trait Number:
@@ -59,12 +59,17 @@ pub(super) trait Lanes: Copy + Send + Sync {
     type Number: Number;
 
     fn zero() -> Self;
+    fn one() -> Self;
     fn get(&self, lane: usize) -> Self::Number;
     fn set(&mut self, lane: usize, value: Self::Number);
     /// `self += a b`.
     fn add_product(&mut self, a: &Self, b: &Self);
     /// `self −= a b`.
     fn subtract_product(&mut self, a: &Self, b: &Self);
+    /// Squares of their sizes.
+    fn squares(&self) -> [f64; LANES];
+    /// One over each.
+    fn reciprocal(&self) -> Self;
 }
 
 /// Real ones.
@@ -107,6 +112,11 @@ impl Lanes for RealLanes {
     }
 
     #[inline(always)]
+    fn one() -> Self {
+        RealLanes([1.0; LANES])
+    }
+
+    #[inline(always)]
     fn get(&self, lane: usize) -> f64 {
         self.0[lane]
     }
@@ -129,6 +139,16 @@ impl Lanes for RealLanes {
             self.0[i] -= a.0[i] * b.0[i];
         }
     }
+
+    #[inline(always)]
+    fn squares(&self) -> [f64; LANES] {
+        self.0.map(|x| x * x)
+    }
+
+    #[inline(always)]
+    fn reciprocal(&self) -> Self {
+        RealLanes(self.0.map(f64::recip))
+    }
 }
 
 impl Lanes for ComplexLanes {
@@ -138,6 +158,14 @@ impl Lanes for ComplexLanes {
     fn zero() -> Self {
         ComplexLanes {
             re: [0.0; LANES],
+            im: [0.0; LANES],
+        }
+    }
+
+    #[inline(always)]
+    fn one() -> Self {
+        ComplexLanes {
+            re: [1.0; LANES],
             im: [0.0; LANES],
         }
     }
@@ -166,6 +194,20 @@ impl Lanes for ComplexLanes {
         for i in 0..LANES {
             self.re[i] -= a.re[i] * b.re[i] - a.im[i] * b.im[i];
             self.im[i] -= a.re[i] * b.im[i] + a.im[i] * b.re[i];
+        }
+    }
+
+    #[inline(always)]
+    fn squares(&self) -> [f64; LANES] {
+        std::array::from_fn(|i| self.re[i] * self.re[i] + self.im[i] * self.im[i])
+    }
+
+    #[inline(always)]
+    fn reciprocal(&self) -> Self {
+        let squares = self.squares();
+        ComplexLanes {
+            re: std::array::from_fn(|i| self.re[i] / squares[i]),
+            im: std::array::from_fn(|i| -self.im[i] / squares[i]),
         }
     }
 }
