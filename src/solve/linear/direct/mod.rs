@@ -27,7 +27,8 @@ use crate::solve::linear::triangles::{
 use crate::work::{OF_FACTORS, SUBSTITUTION};
 use crate::workers::Workers;
 use std::ops::Range;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
+use substitution::Division;
 
 /// A pivot smaller than this, relative to its column, waits for constraints to be eliminated with.
 const SMALLEST_PIVOT: f64 = 1e-9;
@@ -57,6 +58,8 @@ pub struct DirectSolver {
     /// Memory for what fronts leave to others.
     remainders: SpareBlocks,
     factored: bool,
+    /// How several threads divide them, once that was asked for.
+    division: OnceLock<Division>,
     /// Largest entry of the matrix.
     largest_entry: f64,
     /// Whether solves with the present factors are known to need no refinement.
@@ -107,6 +110,7 @@ impl DirectSolver {
             remainders: SpareBlocks::default(),
             workers,
             factored: false,
+            division: OnceLock::new(),
             largest_entry: 0.0,
             accurate: false,
             correction: f64::INFINITY,
@@ -122,6 +126,7 @@ impl DirectSolver {
         self.accurate = false;
         self.correction = f64::INFINITY;
         self.factored = false;
+        self.division = OnceLock::new();
         let regular = self.factor_fronts(values);
         for front in &mut self.fronts {
             front.release(&self.remainders);
@@ -557,7 +562,8 @@ mod tests {
             assert!(solver.solve(&mut found));
             // By several threads, however little there is to do.
             let mut shared = rhs.col_as_slice(0).to_vec();
-            solver.solve_shared(&mut shared, &Workers::new(3).unwrap());
+            let three = Workers::new(3).unwrap();
+            solver.solve_shared(&mut shared, &solver.divided(&three), &three);
             let reference = dense.partial_piv_lu().solve(&rhs);
             let error = |x: &dyn Fn(usize) -> f64| {
                 (0..size).fold(0.0, |m: f64, i| m.max((x(i) - exact[(i, 0)]).abs()))

@@ -15,6 +15,13 @@ const MEETING: f64 = 1.3;
 /// Columns of a triangle after which the rows beyond are shared.
 const BLOCK: usize = 256;
 
+/// What threads go through one each, the largest first, and what together, in order.
+#[derive(Debug)]
+pub(super) struct Division {
+    subtrees: Vec<Range<usize>>,
+    above: Vec<usize>,
+}
+
 /// A subtree of fronts, with a right side of its own.
 struct Subtree {
     fronts: Range<usize>,
@@ -32,7 +39,8 @@ impl DirectSolver {
         self.workers.work().spend(SUBSTITUTION * read as f64);
         let workers = for_reading(&self.workers, read);
         if workers.threads() > 1 {
-            self.solve_shared(rhs, &workers);
+            let division = self.division.get_or_init(|| self.divided(&workers));
+            self.solve_shared(rhs, division, &workers);
         } else {
             let mut reduced = Vec::with_capacity(rhs.len());
             self.forward(0..self.fronts.len(), rhs, &mut reduced, &workers);
@@ -41,8 +49,14 @@ impl DirectSolver {
         rhs.iter().all(|x| x.is_finite())
     }
 
-    pub(super) fn solve_shared(&self, rhs: &mut [f64], workers: &Workers) {
-        let (mut subtrees, above) = self.divided(workers);
+    pub(super) fn solve_shared(&self, rhs: &mut [f64], division: &Division, workers: &Workers) {
+        let above = &division.above;
+        let subtree = |fronts: &Range<usize>| Subtree {
+            fronts: fronts.clone(),
+            rhs: Vec::new(),
+            reduced: Vec::new(),
+        };
+        let mut subtrees: Vec<_> = division.subtrees.iter().map(subtree).collect();
         let alone = workers.alone();
         let all = &*rhs;
         workers.each(&mut subtrees, |_, subtree| {
@@ -101,9 +115,8 @@ impl DirectSolver {
         &self.analysis.plans[subtree.fronts.end - 1].boundary
     }
 
-    /// Subtrees that threads take one each, the largest first, and the fronts that they go through
-    /// together, in order.
-    fn divided(&self, workers: &Workers) -> (Vec<Subtree>, Vec<usize>) {
+    /// What each thread takes of the present factors.
+    pub(super) fn divided(&self, workers: &Workers) -> Division {
         let plans = &self.analysis.plans;
         let mut costs: Vec<Cost> = Vec::with_capacity(plans.len());
         for (front, plan) in self.fronts.iter().zip(plans) {
@@ -114,12 +127,11 @@ impl DirectSolver {
         let (roots, mut above) =
             divided((plans, &costs), &self.analysis.roots(), workers.threads());
         above.sort_unstable();
-        let subtree = |root: usize| Subtree {
-            fronts: root + 1 - self.analysis.subtrees[root].1..root + 1,
-            rhs: Vec::new(),
-            reduced: Vec::new(),
-        };
-        (roots.into_iter().map(subtree).collect(), above)
+        let subtree = |root: usize| root + 1 - self.analysis.subtrees[root].1..root + 1;
+        Division {
+            subtrees: roots.into_iter().map(subtree).collect(),
+            above,
+        }
     }
 
     /// Forward substitution by some fronts, in order; writes what each front's equations come to,
