@@ -6,7 +6,7 @@ use super::lane_blocks::{add_block_product, invert, two};
 use super::lanes::{LANES, Lanes};
 use crate::solve::linear::ordering::{FrontPlan, NEVER, elimination};
 use crate::workers::Workers;
-use faer::traits::pulp::{Arch, Simd, WithSimd};
+use faer::traits::pulp::Arch;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Where blocks are, and the order of elimination.
@@ -257,45 +257,6 @@ fn steps(order: &[FrontPlan], mut place: impl FnMut(usize, usize) -> usize) -> V
     order.iter().map(step).collect()
 }
 
-/// Work on blocks, by the vector instructions that the processor has.
-struct FactorBlocks<'a, T: Lanes>(&'a mut BlockLanes<T>, &'a BlockStructure);
-
-impl<T: Lanes> WithSimd for FactorBlocks<'_, T> {
-    type Output = bool;
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) -> bool {
-        self.0.factor_blocks(self.1)
-    }
-}
-
-struct ForwardByBlocks<'a, T: Lanes>(&'a BlockLanes<T>, &'a BlockStructure, &'a mut [T]);
-
-impl<T: Lanes> WithSimd for ForwardByBlocks<'_, T> {
-    type Output = ();
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) {
-        self.0.forward_by_blocks(self.1, self.2);
-    }
-}
-
-struct BackwardByBlocks<'a, T: Lanes>(
-    &'a BlockLanes<T>,
-    &'a BlockStructure,
-    &'a mut [T],
-    &'a mut Vec<T>,
-);
-
-impl<T: Lanes> WithSimd for BackwardByBlocks<'_, T> {
-    type Output = ();
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) {
-        self.0.backward_by_blocks(self.1, self.2, self.3);
-    }
-}
-
 /// [`LANES`] matrices, or their factors: `L` and `U` without the diagonal blocks, and these
 /// inverted; or those of fronts, and what is kept.
 #[derive(Debug, Clone)]
@@ -362,7 +323,10 @@ impl<T: Lanes> BlockLanes<T> {
     pub fn factor(&mut self, structure: &BlockStructure, workers: &Workers) -> bool {
         match &structure.fronts {
             Some(fronts) => self.factor_fronts(structure, fronts, workers),
-            None => Arch::new().dispatch(FactorBlocks(self, structure)),
+            None => Arch::new().dispatch(
+                #[inline(always)]
+                || self.factor_blocks(structure),
+            ),
         }
     }
 
@@ -446,7 +410,10 @@ impl<T: Lanes> BlockLanes<T> {
                 factors.forward(fronts, x, scratch)
             });
         }
-        Arch::new().dispatch(ForwardByBlocks(self, structure, x));
+        Arch::new().dispatch(
+            #[inline(always)]
+            || self.forward_by_blocks(structure, x),
+        );
     }
 
     #[inline(always)]
@@ -473,7 +440,11 @@ impl<T: Lanes> BlockLanes<T> {
                 factors.backward(fronts, x, scratch)
             });
         }
-        Arch::new().dispatch(BackwardByBlocks(self, structure, x, &mut scratch.lanes));
+        let scratch = &mut scratch.lanes;
+        Arch::new().dispatch(
+            #[inline(always)]
+            || self.backward_by_blocks(structure, x, scratch),
+        );
     }
 
     #[inline(always)]

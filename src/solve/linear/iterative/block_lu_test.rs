@@ -36,7 +36,7 @@ fn check<T: Lanes>(kept: &[usize], in_fronts: bool, number: impl Fn(f64, f64) ->
     let order = elimination(&sizes, &coupled, waiting.collect());
     let rows = (sizes, coupled.clone());
     let structure = BlockStructure::in_order(rows, &is_kept, order, in_fronts);
-    let (count, used) = (structure.unknowns(), 5);
+    let (count, used) = (structure.unknowns(), LANES - 1);
     let workers = Workers::new(2).unwrap();
     let mut lanes = BlockLanes::<T>::new(&structure, used);
     let zero = T::Number::default();
