@@ -4,6 +4,7 @@
 use super::{Contribution, Element, InertialForces, Instant, NodeState};
 use crate::error::{Result, require_finite};
 use crate::motion::{Motion, halves, joined, product, skew, transposed_product};
+use faer::traits::pulp::Arch;
 use nalgebra::{DVector, Matrix3, Matrix6, Matrix6x3, Vector3, Vector6};
 
 /// Inertial forces `M V̇ − Ṽᵀ M (V + S)` with `M` constant, and the weight. What is symmetric about
@@ -169,6 +170,18 @@ impl Element for Inertia {
     }
 
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
+        Arch::new().dispatch(
+            #[inline(always)]
+            || self.add(instant, out),
+        );
+        Ok(())
+    }
+}
+
+impl Inertia {
+    /// Adds forces, and tangents if these are wanted.
+    #[inline(always)]
+    fn add(&self, instant: &Instant, out: &mut Contribution) {
         let InertialForces { factor, damping } = instant.inertial;
         let zero = Vector6::zeros();
         for (a, node) in instant.nodes.iter().enumerate() {
@@ -209,11 +222,8 @@ impl Element for Inertia {
                 out.add_damping(a, a, &(momentum_matrix(&whole) * -factor));
             }
         }
-        Ok(())
     }
-}
 
-impl Inertia {
     /// The 6×6 inertia about the origin of the inertial frame, resolved in it, of the nodes at
     /// `motions` if all move as a rigid body.
     pub fn about_origin(&self, motions: &[Motion]) -> Matrix6<f64> {

@@ -260,7 +260,7 @@ impl DualMatrix {
 
     /// Adds columns `j` and `j + 3` of the product of `m` and the matrix that acts on twists,
     /// `m [A A°; 0 A]`, to these, sparing the zeros.
-    #[inline]
+    #[inline(always)]
     pub fn add_columns_of_product(&self, m: &Matrix6<f64>, j: usize, sums: &mut [[f64; 6]; 2]) {
         let (m, [left, right]) = (&m.data.0, sums);
         for i in 0..3 {

@@ -4,6 +4,7 @@
 use crate::elements::NodeState;
 use crate::fourier::Differentiation;
 use crate::motion::{DualMatrix, DualVector, Motion, mean_position};
+use faer::traits::pulp::Arch;
 use nalgebra::Vector6;
 
 /// Weights of the present and the past motions in first and second derivatives.
@@ -108,11 +109,17 @@ impl NodeKinematics {
         series.differentiate(operators);
         self.a.clear();
         self.b.clear();
-        for (l, motion) in self.motions.iter().enumerate() {
-            let motion = motion.to_dual();
-            self.a.push(motion.tr_mul(&series.first(l)));
-            self.b.push(motion.tr_mul(&series.second(l)));
-        }
+        let NodeKinematics { motions, a, b } = self;
+        Arch::new().dispatch(
+            #[inline(always)]
+            || {
+                for (l, motion) in motions.iter().enumerate() {
+                    let motion = motion.to_dual();
+                    a.push(motion.tr_mul(&series.first(l)));
+                    b.push(motion.tr_mul(&series.second(l)));
+                }
+            },
+        );
     }
 
     /// The same for one point in time, whose derivatives are backward differences with the weights
@@ -193,22 +200,34 @@ impl NodeKinematics {
         series.resize(rates.len());
         let twist = |u: &[f64]| DualVector::from_twist(&Vector6::from_column_slice(u));
         let increments = increments.chunks_exact(6);
-        for (k, u) in increments.clone().enumerate() {
-            series.set(k, &self.motion(k).times_skew(&twist(u)));
-        }
+        let arch = Arch::new();
+        arch.dispatch(
+            #[inline(always)]
+            || {
+                for (k, u) in increments.clone().enumerate() {
+                    series.set(k, &self.motion(k).times_skew(&twist(u)));
+                }
+            },
+        );
         series.differentiate(operators);
-        for (l, (rates, u)) in rates.iter_mut().zip(increments).enumerate() {
-            let (motion, u, v) = (self.motion(l), twist(u), self.velocity(l));
-            let (a, b) = (&self.a[l], &self.b[l]);
-            let (first, second) = (series.first(l), series.second(l));
-            let delta_v = motion.axial_of_tr_mul(&first) - a.trace_minus_times(&u) * 0.5;
-            let delta_b = motion.axial_of_tr_mul(&second) - b.trace_minus_times(&u) * 0.5;
-            // tr(Δũ A) = −2 Δu · v
-            let trace = motion.inner(&first) + u.dot(&v) * 2.0;
-            let delta_a_v = motion.transpose() * (first * v) - u.cross(&(*a * v));
-            let delta_rate = delta_b - a.trace_minus_times(&delta_v) - (v * trace - delta_a_v);
-            *rates = [delta_v.to_twist(), delta_rate.to_twist()];
-        }
+        arch.dispatch(
+            #[inline(always)]
+            || {
+                for (l, (rates, u)) in rates.iter_mut().zip(increments).enumerate() {
+                    let (motion, u, v) = (self.motion(l), twist(u), self.velocity(l));
+                    let (a, b) = (&self.a[l], &self.b[l]);
+                    let (first, second) = (series.first(l), series.second(l));
+                    let delta_v = motion.axial_of_tr_mul(&first) - a.trace_minus_times(&u) * 0.5;
+                    let delta_b = motion.axial_of_tr_mul(&second) - b.trace_minus_times(&u) * 0.5;
+                    // tr(Δũ A) = −2 Δu · v
+                    let trace = motion.inner(&first) + u.dot(&v) * 2.0;
+                    let delta_a_v = motion.transpose() * (first * v) - u.cross(&(*a * v));
+                    let delta_rate =
+                        delta_b - a.trace_minus_times(&delta_v) - (v * trace - delta_a_v);
+                    *rates = [delta_v.to_twist(), delta_rate.to_twist()];
+                }
+            },
+        );
     }
 
     /// Adds the transposes of `Γ_v` and `Γ_a` times the wrenches `by_rates` that velocity and

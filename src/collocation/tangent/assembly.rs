@@ -10,6 +10,7 @@ use crate::error::Result;
 use crate::motion::DualMatrix;
 use crate::system::Placed;
 use crate::workers::parts;
+use faer::traits::pulp::Arch;
 use nalgebra::Matrix6;
 
 /// Scratch of one thread.
@@ -146,7 +147,10 @@ impl Tangent {
             &mut scratch,
             Scratch::default,
             |scratch, node, values| {
-                assembly.write_node(node, scratch, values);
+                Arch::new().dispatch(
+                    #[inline(always)]
+                    || assembly.write_node(node, scratch, values),
+                );
                 Ok(())
             },
         );
@@ -160,6 +164,7 @@ impl Tangent {
 
 impl Assembly<'_> {
     /// Writes the columns of a node.
+    #[inline(always)]
     fn write_node(&self, node: usize, scratch: &mut Scratch, values: &mut [f64]) {
         let (pattern, points) = (self.pattern, self.tangent.points);
         let rule = &self.equations.rule;
@@ -186,6 +191,7 @@ impl Assembly<'_> {
 
     /// Writes the rows of a coupling that depend on velocities and accelerations: `M Γ_a + C Γ_v`,
     /// and `K` on the diagonal in time.
+    #[inline(always)]
     fn write_moving(&self, pair: usize, scratch: &mut Scratch, values: &mut [f64]) {
         let (tangent, points) = (self.tangent, self.tangent.points);
         let at = tangent.layout.coupling_at.of(pair);

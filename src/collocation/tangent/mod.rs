@@ -57,7 +57,7 @@ pub struct PairTangent<'a> {
 
 impl PairTangent<'_> {
     /// `K Δu + C Δv + M Δv̇`.
-    #[inline]
+    #[inline(always)]
     pub(super) fn force(&self, moving: bool, u: &[f64], rates: &[Vector6<f64>; 2]) -> Vector6<f64> {
         let mut sum = motion::product(self.stiffness, &Vector6::from_column_slice(u));
         if moving {
@@ -236,6 +236,7 @@ impl Tangent {
     }
 
     /// Tangents of the coupling `pair` at grid point `k`, not scaled.
+    #[inline(always)]
     pub fn pair(&self, pair: usize, k: usize) -> PairTangent<'_> {
         let at = self.layout.coupling_at.of(pair).start + k;
         let [stiffness, damping, mass] = self.pairs.each_ref().map(|list| &list[at]);
@@ -290,6 +291,7 @@ impl Tangent {
     }
 
     /// Strain tangent `index` of those of all stations at grid point `k`.
+    #[inline(always)]
     pub fn strain(&self, index: usize, k: usize) -> &StrainTangent {
         &self.strains[self.layout.strain_at.of(index).start + k]
     }

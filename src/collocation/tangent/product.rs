@@ -6,6 +6,7 @@ use crate::collocation::problem::Collocation;
 use crate::collocation::rule::RuleWorkspace;
 use crate::motion::{DualVector, product};
 use crate::workers::parts;
+use faer::traits::pulp::Arch;
 use nalgebra::{Matrix6, Vector6};
 
 /// An increment of all unknowns, not scaled, and what it changes of their rates.
@@ -191,7 +192,10 @@ impl Tangent {
             .workers()
             .each(&mut stations, |index, (stresses, unbalance)| {
                 let station = &self.layout.stations[index];
-                station.stresses(self, increment, stresses);
+                Arch::new().dispatch(
+                    #[inline(always)]
+                    || station.stresses(self, increment, stresses),
+                );
                 let Some(unbalance) = unbalance else {
                     return;
                 };
@@ -214,30 +218,14 @@ impl Tangent {
         stresses: &[DualVector],
         y: &mut [f64],
     ) {
-        let layout = &self.layout;
         let places = equations.layout();
         let size = places.motions().end;
         let mut rows: Vec<_> = y[..size].chunks_mut(places.of_node()).collect();
         equations.workers().each(&mut rows, |node, forces| {
-            forces.fill(0.0);
-            for &pair in layout.couplings.of_row(node) {
-                let coupling = &layout.couplings.all()[pair];
-                let told = equations.told(&[coupling.row, coupling.column]);
-                self.add_coupling(pair, told, increment, forces);
-            }
-            for &(station, strain) in &layout.acting[node] {
-                let (_, parts) = equations.told(&layout.stations[station].nodes);
-                let stresses = &stresses[layout.station_at.of(station)];
-                let strains = &self.strains[layout.strain_at.of(strain)];
-                let rows = forces.chunks_exact_mut(6);
-                for ((force, strain), stress) in rows.zip(strains).zip(stresses) {
-                    let sum = (strain.strain.transpose() * *stress).to_wrench();
-                    force
-                        .iter_mut()
-                        .zip(&sum)
-                        .for_each(|(y, f)| *y += parts * f);
-                }
-            }
+            Arch::new().dispatch(
+                #[inline(always)]
+                || self.write_forces_on(node, equations, (increment, stresses), forces),
+            );
         });
         y[size..].fill(0.0);
         self.add_gradients(equations, &increment.x, y, false);
@@ -247,8 +235,40 @@ impl Tangent {
         y.iter_mut().zip(scales).for_each(|(y, scale)| *y *= scale);
     }
 
+    /// Writes the forces on a node.
+    #[inline(always)]
+    fn write_forces_on(
+        &self,
+        node: usize,
+        equations: &Collocation,
+        (increment, stresses): (&Increment, &[DualVector]),
+        forces: &mut [f64],
+    ) {
+        let layout = &self.layout;
+        forces.fill(0.0);
+        for &pair in layout.couplings.of_row(node) {
+            let coupling = &layout.couplings.all()[pair];
+            let told = equations.told(&[coupling.row, coupling.column]);
+            self.add_coupling(pair, told, increment, forces);
+        }
+        for &(station, strain) in &layout.acting[node] {
+            let (_, parts) = equations.told(&layout.stations[station].nodes);
+            let stresses = &stresses[layout.station_at.of(station)];
+            let strains = &self.strains[layout.strain_at.of(strain)];
+            let rows = forces.chunks_exact_mut(6);
+            for ((force, strain), stress) in rows.zip(strains).zip(stresses) {
+                let sum = (strain.strain.transpose() * *stress).to_wrench();
+                force
+                    .iter_mut()
+                    .zip(&sum)
+                    .for_each(|(y, f)| *y += parts * f);
+            }
+        }
+    }
+
     /// Adds the forces of one coupling to those of its row, at so many grid points, for so many
     /// parts of the period.
+    #[inline(always)]
     fn add_coupling(
         &self,
         pair: usize,
@@ -369,36 +389,47 @@ impl Tangent {
 
 impl Station {
     /// Stress resultants by the motions and rates of the nodes, at all grid points.
+    #[inline(always)]
     fn stresses(&self, tangent: &Tangent, increment: &Increment, stresses: &mut [DualVector]) {
-        let unknowns = &tangent.unknowns;
-        let add = |first: usize, k: usize, stiffness, damping, wrench: &mut Vector6<f64>| {
-            let (mut strain, mut strain_rate) = (DualVector::zeros(), DualVector::zeros());
-            for (a, &node) in self.nodes.iter().enumerate() {
-                let tangent = tangent.strain(first + a, k);
-                let u = Vector6::from_column_slice(&increment.x[unknowns.motion(node, k)]);
-                let u = DualVector::from_twist(&u);
-                strain += tangent.strain * u;
-                if self.damped {
-                    let v =
-                        DualVector::from_twist(&increment.rates[node * unknowns.points() + k][0]);
-                    strain_rate += tangent.strain * v + tangent.rate * u;
-                }
-            }
-            let (stiffness, damping): (&Matrix6<f64>, &Matrix6<f64>) = (stiffness, damping);
-            *wrench += product(stiffness, &strain.to_twist());
-            if self.damped {
-                *wrench += product(damping, &strain_rate.to_twist());
-            }
-        };
         let law = &self.law;
         for (k, stress) in stresses.iter_mut().enumerate() {
             let mut wrench = Vector6::zeros();
-            add(self.first, k, &law.stiffness, &law.damping, &mut wrench);
+            let own = (&law.stiffness, &law.damping);
+            self.add_stress((tangent, self.first, k), increment, own, &mut wrench);
             for other in &law.others {
                 let first = self.first_of(other.offset);
-                add(first, k, &other.stiffness, &other.damping, &mut wrench);
+                let law = (&other.stiffness, &other.damping);
+                self.add_stress((tangent, first, k), increment, law, &mut wrench);
             }
             *stress = DualVector::from_wrench(&wrench);
+        }
+    }
+
+    /// Adds what follows from the strain tangents from the first on, at grid point `k`, by a law of
+    /// stiffness and damping.
+    #[inline(always)]
+    fn add_stress(
+        &self,
+        (tangent, first, k): (&Tangent, usize, usize),
+        increment: &Increment,
+        (stiffness, damping): (&Matrix6<f64>, &Matrix6<f64>),
+        wrench: &mut Vector6<f64>,
+    ) {
+        let unknowns = &tangent.unknowns;
+        let (mut strain, mut strain_rate) = (DualVector::zeros(), DualVector::zeros());
+        for (a, &node) in self.nodes.iter().enumerate() {
+            let tangent = tangent.strain(first + a, k);
+            let u = Vector6::from_column_slice(&increment.x[unknowns.motion(node, k)]);
+            let u = DualVector::from_twist(&u);
+            strain += tangent.strain * u;
+            if self.damped {
+                let v = DualVector::from_twist(&increment.rates[node * unknowns.points() + k][0]);
+                strain_rate += tangent.strain * v + tangent.rate * u;
+            }
+        }
+        *wrench += product(stiffness, &strain.to_twist());
+        if self.damped {
+            *wrench += product(damping, &strain_rate.to_twist());
         }
     }
 }
