@@ -3,8 +3,7 @@
 
 use super::{Contribution, Element, InertialForces, Instant, NodeState};
 use crate::error::{Result, require_finite};
-use crate::motion::{Motion, halves, joined, product, skew, transposed_product};
-use faer::traits::pulp::Arch;
+use crate::motion::{Motion, halves, joined, product, skew, transposed_product, vectorised};
 use nalgebra::{DVector, Matrix3, Matrix6, Matrix6x3, Vector3, Vector6};
 
 /// Inertial forces `M V̇ − Ṽᵀ M (V + S)` with `M` constant, and the weight. What is symmetric about
@@ -170,7 +169,7 @@ impl Element for Inertia {
     }
 
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
-        Arch::new().dispatch(
+        vectorised(
             #[inline(always)]
             || self.add(instant, out),
         );

@@ -1,8 +1,26 @@
 //! Numbers side by side in the vector registers that the processor has, found at run time.
 
 use super::scalar::Scalar;
-use faer::traits::pulp::Simd;
+use faer::traits::pulp::{Arch, Simd, WithSimd};
 use std::ops::{Add, Mul, Neg, Sub};
+
+/// Work, and what the compiler makes of it for each kind of register.
+struct Vectorised<F>(F);
+
+impl<R, F: FnMut() -> R> WithSimd for Vectorised<F> {
+    type Output = R;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(mut self, _: S) -> R {
+        (self.0)()
+    }
+}
+
+/// Does what is inlined into `work`, a closure that is to be `#[inline(always)]`, by the vector
+/// registers that the processor has. As one that may be called again, as others are not inlined.
+pub fn vectorised<R>(work: impl FnMut() -> R) -> R {
+    Arch::new().dispatch(Vectorised(work))
+}
 
 /// As many numbers as a register of `S` holds.
 #[derive(Debug, Clone, Copy)]

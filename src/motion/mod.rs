@@ -18,7 +18,7 @@ mod scalar;
 pub use dual::{Dual, DualMatrix, DualVector, tilde};
 pub use halves::{halves, joined, turn_of_both, turned};
 pub use interpolation::DualPolar;
-pub use lanes::Lanes;
+pub use lanes::{Lanes, vectorised};
 pub use logarithm::inverse_tangent;
 pub use periodic::{PeriodicMotion, append_centred, mean_position};
 pub use polar::{polar_rotation, spread_matrix, symmetric_factor_is_admissible};

@@ -3,8 +3,7 @@
 
 use crate::elements::NodeState;
 use crate::fourier::Differentiation;
-use crate::motion::{DualMatrix, DualVector, Motion, mean_position};
-use faer::traits::pulp::Arch;
+use crate::motion::{DualMatrix, DualVector, Motion, mean_position, vectorised};
 use nalgebra::Vector6;
 
 /// Weights of the present and the past motions in first and second derivatives.
@@ -110,7 +109,7 @@ impl NodeKinematics {
         self.a.clear();
         self.b.clear();
         let NodeKinematics { motions, a, b } = self;
-        Arch::new().dispatch(
+        vectorised(
             #[inline(always)]
             || {
                 for (l, motion) in motions.iter().enumerate() {
@@ -200,8 +199,7 @@ impl NodeKinematics {
         series.resize(rates.len());
         let twist = |u: &[f64]| DualVector::from_twist(&Vector6::from_column_slice(u));
         let increments = increments.chunks_exact(6);
-        let arch = Arch::new();
-        arch.dispatch(
+        vectorised(
             #[inline(always)]
             || {
                 for (k, u) in increments.clone().enumerate() {
@@ -210,10 +208,10 @@ impl NodeKinematics {
             },
         );
         series.differentiate(operators);
-        arch.dispatch(
+        vectorised(
             #[inline(always)]
             || {
-                for (l, (rates, u)) in rates.iter_mut().zip(increments).enumerate() {
+                for (l, (rates, u)) in rates.iter_mut().zip(increments.clone()).enumerate() {
                     let (motion, u, v) = (self.motion(l), twist(u), self.velocity(l));
                     let (a, b) = (&self.a[l], &self.b[l]);
                     let (first, second) = (series.first(l), series.second(l));

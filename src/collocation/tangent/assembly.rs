@@ -7,10 +7,9 @@ use crate::collocation::pattern::Pattern;
 use crate::collocation::problem::Collocation;
 use crate::collocation::state::GridState;
 use crate::error::Result;
-use crate::motion::DualMatrix;
+use crate::motion::{DualMatrix, vectorised};
 use crate::system::Placed;
 use crate::workers::parts;
-use faer::traits::pulp::Arch;
 use nalgebra::Matrix6;
 
 /// Scratch of one thread.
@@ -147,7 +146,7 @@ impl Tangent {
             &mut scratch,
             Scratch::default,
             |scratch, node, values| {
-                Arch::new().dispatch(
+                vectorised(
                     #[inline(always)]
                     || assembly.write_node(node, scratch, values),
                 );

@@ -4,9 +4,8 @@
 use super::{Station, Tangent};
 use crate::collocation::problem::Collocation;
 use crate::collocation::rule::RuleWorkspace;
-use crate::motion::{DualVector, product};
+use crate::motion::{DualVector, product, vectorised};
 use crate::workers::parts;
-use faer::traits::pulp::Arch;
 use nalgebra::{Matrix6, Vector6};
 
 /// An increment of all unknowns, not scaled, and what it changes of their rates.
@@ -192,7 +191,7 @@ impl Tangent {
             .workers()
             .each(&mut stations, |index, (stresses, unbalance)| {
                 let station = &self.layout.stations[index];
-                Arch::new().dispatch(
+                vectorised(
                     #[inline(always)]
                     || station.stresses(self, increment, stresses),
                 );
@@ -222,7 +221,7 @@ impl Tangent {
         let size = places.motions().end;
         let mut rows: Vec<_> = y[..size].chunks_mut(places.of_node()).collect();
         equations.workers().each(&mut rows, |node, forces| {
-            Arch::new().dispatch(
+            vectorised(
                 #[inline(always)]
                 || self.write_forces_on(node, equations, (increment, stresses), forces),
             );

@@ -4,9 +4,9 @@
 use super::fronts::{Factors, FrontScratch, Fronts, pay};
 use super::lane_blocks::{add_block_product, invert, two};
 use super::lanes::{LANES, Lanes};
+use crate::motion::vectorised;
 use crate::solve::linear::ordering::{FrontPlan, NEVER, elimination};
 use crate::workers::Workers;
-use faer::traits::pulp::Arch;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Where blocks are, and the order of elimination.
@@ -323,7 +323,7 @@ impl<T: Lanes> BlockLanes<T> {
     pub fn factor(&mut self, structure: &BlockStructure, workers: &Workers) -> bool {
         match &structure.fronts {
             Some(fronts) => self.factor_fronts(structure, fronts, workers),
-            None => Arch::new().dispatch(
+            None => vectorised(
                 #[inline(always)]
                 || self.factor_blocks(structure),
             ),
@@ -410,7 +410,7 @@ impl<T: Lanes> BlockLanes<T> {
                 factors.forward(fronts, x, scratch)
             });
         }
-        Arch::new().dispatch(
+        vectorised(
             #[inline(always)]
             || self.forward_by_blocks(structure, x),
         );
@@ -441,7 +441,7 @@ impl<T: Lanes> BlockLanes<T> {
             });
         }
         let scratch = &mut scratch.lanes;
-        Arch::new().dispatch(
+        vectorised(
             #[inline(always)]
             || self.backward_by_blocks(structure, x, scratch),
         );
