@@ -162,25 +162,30 @@ impl Contribution {
         }
     }
 
+    #[inline(always)]
     pub(super) fn add_force(&mut self, node: usize, force: &Vector6<f64>) {
         let mut rows = self.force.fixed_rows_mut::<6>(6 * node);
         rows += force;
     }
 
+    #[inline(always)]
     pub(super) fn add_stiffness(&mut self, row: usize, column: usize, block: &Matrix6<f64>) {
         add_block(&mut self.stiffness, (row, column), block);
     }
 
+    #[inline(always)]
     pub(super) fn add_damping(&mut self, row: usize, column: usize, block: &Matrix6<f64>) {
         add_block(&mut self.damping, (row, column), block);
     }
 
+    #[inline(always)]
     pub(super) fn add_mass(&mut self, row: usize, column: usize, block: &Matrix6<f64>) {
         add_block(&mut self.mass, (row, column), block);
     }
 }
 
 /// Adds one 6×6 block to a matrix of such.
+#[inline(always)]
 pub(super) fn add_block(
     to: &mut DMatrix<f64>,
     (row, column): (usize, usize),

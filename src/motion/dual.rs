@@ -248,7 +248,7 @@ impl DualMatrix {
 
     /// Adds the product of `m` and the matrix that acts on twists, `m [A A°; 0 A]`, to `sum`,
     /// sparing the zeros.
-    #[inline]
+    #[inline(always)]
     pub fn add_product_to(&self, m: &Matrix6<f64>, sum: &mut Matrix6<f64>) {
         let sum = &mut sum.data.0;
         for j in 0..3 {
@@ -273,7 +273,7 @@ impl DualMatrix {
     }
 
     /// 6×6 matrix that takes a twist `[dual; primal]` to a wrench `[primal; dual]`: `[0 A; A A°]`.
-    #[inline]
+    #[inline(always)]
     pub fn to_stiffness_matrix(&self) -> Matrix6<f64> {
         let mut m = Matrix6::zeros();
         m.fixed_view_mut::<3, 3>(0, 3).copy_from(&self.primal);

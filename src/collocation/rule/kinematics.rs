@@ -288,7 +288,15 @@ impl NodeKinematics {
     }
 
     /// The part of these blocks that is in proportion to the weights.
-    pub fn carried(&self, (d, t): (f64, f64), l: usize, k: usize) -> [DualMatrix; 2] {
+    pub fn carried(&self, weights: (f64, f64), l: usize, k: usize) -> [DualMatrix; 2] {
+        vectorised(
+            #[inline(always)]
+            || self.in_proportion(weights, l, k),
+        )
+    }
+
+    #[inline(always)]
+    fn in_proportion(&self, (d, t): (f64, f64), l: usize, k: usize) -> [DualMatrix; 2] {
         // The zeros of the identity are wanted where a motion at rest has nothing else.
         let s = match l == k {
             true => DualMatrix::identity(),

@@ -10,7 +10,7 @@ use crate::elements::line_station::{
 };
 use crate::elements::{Contribution, Element, Instant, NodeState, StrainTangent, StressLaw};
 use crate::error::Result;
-use crate::motion::{DualMatrix, DualVector, product};
+use crate::motion::{DualMatrix, DualVector, product, vectorised};
 use nalgebra::{Matrix6, Vector6};
 use std::ops::Range;
 
@@ -60,6 +60,7 @@ impl Scratch {
     }
 
     /// Appends what strains vary by, with their rate if that varies, for nodes in these places.
+    #[inline(always)]
     fn add_variations(
         &mut self,
         at: &StationMotion,
@@ -80,6 +81,7 @@ impl Scratch {
     }
 
     /// The same, and adds the geometric stiffness of these resultants.
+    #[inline(always)]
     fn add_tangents(
         &mut self,
         at: &StationMotion,
@@ -202,7 +204,10 @@ impl Element for Beam {
 
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
         if let [first, second] = instant.nodes {
-            return self.add_two_nodes([first, second], instant, out);
+            return vectorised(
+                #[inline(always)]
+                || self.add_two_nodes([first, second], instant, out),
+            );
         }
         // Taken out while `out` is written to.
         let mut scratch = std::mem::take(&mut out.scratch.beam);
@@ -305,6 +310,7 @@ impl Beam {
     }
 
     /// Forces and tangents of an element with two nodes, and so one station.
+    #[inline(always)]
     fn add_two_nodes(
         &self,
         nodes: [&NodeState; 2],
@@ -361,9 +367,16 @@ impl Beam {
             }
             let held = held_resultants(instant, place, station, stress);
             let rate = damping.rates_vary.then_some(&rate);
-            scratch.add_tangents(&at, 0..states.len(), (&held, states, rate), out);
+            vectorised(
+                #[inline(always)]
+                || scratch.add_tangents(&at, 0..states.len(), (&held, states, rate), out),
+            );
             let variations = &scratch.variations[..];
-            add_material_stiffness(variations, &[station.own_law()], variations, damping, out);
+            let law = [station.own_law()];
+            vectorised(
+                #[inline(always)]
+                || add_material_stiffness(variations, &law, variations, damping, out),
+            );
         }
         Ok(())
     }
@@ -401,11 +414,18 @@ impl Beam {
             let held = held_resultants(instant, place, station, stress);
             let rate = DualVector::from_twist(&scratch.rates[place]);
             let rate = damping.rates_vary.then_some(&rate);
-            scratch.add_tangents(&at, places, (&held, states, rate), out);
+            vectorised(
+                #[inline(always)]
+                || scratch.add_tangents(&at, places.clone(), (&held, states, rate), out),
+            );
         }
         if out.with_tangents {
             for (place, rows) in scratch.variations.chunks_exact(count).enumerate() {
-                add_material_stiffness(rows, law.row(place), &scratch.variations, damping, out);
+                let (laws, columns) = (law.row(place), &scratch.variations[..]);
+                vectorised(
+                    #[inline(always)]
+                    || add_material_stiffness(rows, laws, columns, damping, out),
+                );
             }
         }
         Ok(())
@@ -425,6 +445,7 @@ fn held_resultants(
 }
 
 /// Adds forces on the nodes, one after the other.
+#[inline(always)]
 fn add_forces(forces: impl IntoIterator<Item = DualVector>, out: &mut Contribution) {
     for (a, force) in forces.into_iter().enumerate() {
         out.add_force(a, &force.to_wrench());
@@ -434,6 +455,7 @@ fn add_forces(forces: impl IntoIterator<Item = DualVector>, out: &mut Contributi
 /// Adds `K_ab = B_aᵀ Σ (S B_b + D R_b)` and `C_ab = B_aᵀ Σ D B_b`, sums over the stations that the
 /// `laws` of this one are of, whose `columns` follow each other; or puts `B` and `R` aside, if they
 /// are wanted apart.
+#[inline(always)]
 fn add_material_stiffness(
     rows: &[StrainTangent],
     laws: &[(Matrix6<f64>, Matrix6<f64>)],

@@ -22,6 +22,7 @@ pub(super) struct TwoNodes {
 impl TwoNodes {
     /// # Errors
     /// If one node is turned by nearly half a turn relative to the other.
+    #[inline(always)]
     pub fn new([first, second]: [&NodeState; 2]) -> Result<Self> {
         let y = first.motion.relative(&second.motion).to_dual();
         let Dual { primal, dual } = y.trace();
@@ -39,6 +40,7 @@ impl TwoNodes {
     }
 
     /// `B_1 = −½ (I − ẽ + e eᵀ)` and `B_2 = ½ (I + ẽ + e eᵀ)`.
+    #[inline(always)]
     pub fn strain_variations(&self) -> [DualMatrix; 2] {
         let even = (DualMatrix::identity() + self.e.outer(&self.e)) * 0.5;
         let odd = self.e.skew() * 0.5;
@@ -46,12 +48,14 @@ impl TwoNodes {
     }
 
     /// `ė = B_1 V_1 + B_2 V_2`.
+    #[inline(always)]
     pub fn strain_rate(&self, [first, second]: [DualVector; 2]) -> DualVector {
         let (sum, difference) = (first + second, second - first);
         (difference + self.e.cross(&sum) + self.e * self.e.dot(&difference)) * 0.5
     }
 
     /// `R_a = ½ ((eᵀ d) I + e dᵀ − s̃) B_a` with `d = V_2 − V_1` and `s = V_1 + V_2`.
+    #[inline(always)]
     pub fn rate_variations(
         &self,
         strains: &[DualMatrix; 2],
@@ -63,6 +67,7 @@ impl TwoNodes {
     }
 
     /// Both, without the rates' if there are no velocities.
+    #[inline(always)]
     pub fn variations(&self, twists: Option<[DualVector; 2]>) -> [StrainTangent; 2] {
         let strains = self.strain_variations();
         let rates = match twists {
@@ -75,11 +80,13 @@ impl TwoNodes {
     }
 
     /// `(eᵀ a) I + e aᵀ`.
+    #[inline(always)]
     fn stretched(&self, a: &DualVector) -> DualMatrix {
         DualMatrix::identity() * self.e.dot(a) + self.e.outer(a)
     }
 
     /// `B_aᵀ σ` of a stress resultant.
+    #[inline(always)]
     pub fn forces(&self, stress: &DualVector) -> [DualVector; 2] {
         let even = (*stress + self.e * self.e.dot(stress)) * 0.5;
         let odd = self.e.cross(stress) * 0.5;
@@ -89,6 +96,7 @@ impl TwoNodes {
     /// Geometric stiffness of a stress resultant, block by block: passed to `add(a, b, block)`.
     ///
     /// `K_ab = ½ (σ̃ ∓ ((eᵀσ) I + e σᵀ)) B_b`, minus at the first node.
+    #[inline(always)]
     pub fn geometric_stiffness(
         &self,
         stress: &DualVector,

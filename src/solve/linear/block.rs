@@ -118,6 +118,12 @@ fn stride(rows: usize) -> usize {
 }
 
 /// A column of a matrix whose columns have their rows one after the other.
+pub(crate) fn column<'m>(matrix: MatRef<'m, f64>, j: usize) -> &'m [f64] {
+    let column = matrix.col(j).try_as_col_major();
+    column.map_or(&[], |column| column.as_slice())
+}
+
+/// The same, to be written.
 pub(crate) fn column_mut<'m>(matrix: &'m mut MatMut<f64>, j: usize) -> &'m mut [f64] {
     let column = matrix.as_mut().col_mut(j).try_as_col_major_mut();
     column.map_or(&mut [], |column| column.as_slice_mut())

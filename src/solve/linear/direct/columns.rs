@@ -3,6 +3,7 @@
 
 use super::DirectSolver;
 use crate::error::Result;
+use crate::solve::linear::block::{column, column_mut};
 use crate::solve::linear::blocks::{Diagonal, solve_lower, solve_upper, subtract_matmul};
 use crate::solve::linear::front::Front;
 use faer::{Mat, MatMut, Par};
@@ -82,11 +83,7 @@ impl DirectSolver {
             let (factors, beyond) = upper.split_at_col(own);
             subtract_matmul(y.as_mut(), beyond, local.as_ref(), Par::Seq, &self.workers)?;
             solve_upper(factors, y.as_mut(), Par::Seq, &self.workers)?;
-            for (mut to, from) in rhs.as_mut().col_iter_mut().zip(y.as_ref().col_iter()) {
-                for (&column, x) in front.columns.iter().zip(from.iter()) {
-                    to[column] = *x;
-                }
-            }
+            self.scatter_columns(&front.columns, &[], y, rhs.as_mut());
         }
         let is_finite = |j: usize| rhs.as_ref().col(j).iter().all(|x| x.is_finite());
         Ok((0..count).all(is_finite))
@@ -100,12 +97,18 @@ impl DirectSolver {
         from: MatMut<f64>,
         mut to: MatMut<f64>,
     ) {
-        for (to, from) in to.as_mut().col_iter_mut().zip(from.as_ref().col_iter()) {
-            let groups = groups.iter().flat_map(|&g| self.analysis.groups[g].clone());
-            let rows = places.iter().copied().chain(groups);
-            to.iter_mut()
-                .zip(rows)
-                .for_each(|(to, row)| *to = from[row]);
+        for j in 0..to.ncols() {
+            let (from, to) = (column(from.as_ref(), j), column_mut(&mut to, j));
+            let (single, mut to) = to.split_at_mut(places.len());
+            for (to, &row) in single.iter_mut().zip(places) {
+                *to = from[row];
+            }
+            for &g in groups {
+                let from = &from[self.analysis.groups[g].clone()];
+                let (part, others) = to.split_at_mut(from.len());
+                part.copy_from_slice(from);
+                to = others;
+            }
         }
     }
 
@@ -117,12 +120,18 @@ impl DirectSolver {
         from: MatMut<f64>,
         mut to: MatMut<f64>,
     ) {
-        for (mut to, from) in to.as_mut().col_iter_mut().zip(from.as_ref().col_iter()) {
-            let groups = groups.iter().flat_map(|&g| self.analysis.groups[g].clone());
-            let rows = places.iter().copied().chain(groups);
-            from.iter()
-                .zip(rows)
-                .for_each(|(from, row)| to[row] = *from);
+        for j in 0..to.ncols() {
+            let (from, to) = (column(from.as_ref(), j), column_mut(&mut to, j));
+            let (single, mut from) = from.split_at(places.len());
+            for (from, &row) in single.iter().zip(places) {
+                to[row] = *from;
+            }
+            for &g in groups {
+                let to = &mut to[self.analysis.groups[g].clone()];
+                let (part, others) = from.split_at(to.len());
+                to.copy_from_slice(part);
+                from = others;
+            }
         }
     }
 }
