@@ -7,7 +7,7 @@ use crate::collocation::pattern::Pattern;
 use crate::collocation::problem::Collocation;
 use crate::collocation::state::GridState;
 use crate::error::Result;
-use crate::motion::{DualMatrix, vectorised};
+use crate::motion::DualMatrix;
 use crate::system::Placed;
 use crate::workers::parts;
 use nalgebra::Matrix6;
@@ -146,10 +146,7 @@ impl Tangent {
             &mut scratch,
             Scratch::default,
             |scratch, node, values| {
-                vectorised(
-                    #[inline(always)]
-                    || assembly.write_node(node, scratch, values),
-                );
+                assembly.write_node(node, scratch, values);
                 Ok(())
             },
         );
@@ -163,7 +160,6 @@ impl Tangent {
 
 impl Assembly<'_> {
     /// Writes the columns of a node.
-    #[inline(always)]
     fn write_node(&self, node: usize, scratch: &mut Scratch, values: &mut [f64]) {
         let (pattern, points) = (self.pattern, self.tangent.points);
         let rule = &self.equations.rule;
@@ -190,7 +186,6 @@ impl Assembly<'_> {
 
     /// Writes the rows of a coupling that depend on velocities and accelerations: `M Γ_a + C Γ_v`,
     /// and `K` on the diagonal in time.
-    #[inline(always)]
     fn write_moving(&self, pair: usize, scratch: &mut Scratch, values: &mut [f64]) {
         let (tangent, points) = (self.tangent, self.tangent.points);
         let at = tangent.layout.coupling_at.of(pair);
