@@ -11,9 +11,9 @@ use std::ops::{Deref, DerefMut, Range};
 /// Bytes of a large page.
 const PAGE: usize = 1 << 21;
 /// Bytes from which on a list has pages of its own.
-const LARGE: usize = 3 << 19;
-/// The last page is a large one where at least this part of a list's bytes would be beside it.
-const BESIDE: usize = 3;
+const LARGE: usize = PAGE / 3 * 2;
+/// The last page is a large one where what is beside it is at most a half of the list.
+const BESIDE: usize = 2;
 /// Bytes of a vector of the processor, which lists begin at multiples of.
 const VECTOR: usize = 64;
 

@@ -52,28 +52,116 @@ impl Block {
         self.columns
     }
 
-    pub fn column(&self, j: usize) -> &[f64] {
-        &self.values[j * stride(self.rows)..][..self.rows]
+    /// To be read.
+    fn view(&self) -> BlockView<'_> {
+        BlockView {
+            values: &self.values,
+            rows: self.rows,
+            columns: self.columns,
+        }
     }
 
-    /// The same for many of them.
-    pub fn each_column<'a>(&'a self) -> impl Fn(usize) -> &'a [f64] + Copy + Sync {
-        let (values, rows, stride) = (&self.values[..], self.rows, stride(self.rows));
-        move |j| &values[j * stride..][..rows]
+    pub fn column(&self, j: usize) -> &[f64] {
+        self.view().column(j)
     }
 
     pub fn as_ref(&self) -> MatRef<'_, f64> {
-        let stride = stride(self.rows);
-        MatRef::from_column_major_slice_with_stride(&self.values, self.rows, self.columns, stride)
+        self.view().as_ref()
     }
 
     pub fn as_mut(&mut self) -> MatMut<'_, f64> {
-        let Block {
+        to_be_written(&mut self.values, (self.rows, self.columns))
+    }
+}
+
+/// A dense matrix to be read.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct BlockView<'a> {
+    values: &'a [f64],
+    rows: usize,
+    columns: usize,
+}
+
+impl<'a> BlockView<'a> {
+    pub fn rows(self) -> usize {
+        self.rows
+    }
+
+    pub fn columns(self) -> usize {
+        self.columns
+    }
+
+    pub fn column(self, j: usize) -> &'a [f64] {
+        self.each_column()(j)
+    }
+
+    /// The same for many of them.
+    pub fn each_column(self) -> impl Fn(usize) -> &'a [f64] + Copy + Sync {
+        let (values, rows, stride) = (self.values, self.rows, stride(self.rows));
+        move |j| &values[j * stride..][..rows]
+    }
+
+    pub fn as_ref(self) -> MatRef<'a, f64> {
+        let (rows, columns) = (self.rows, self.columns);
+        MatRef::from_column_major_slice_with_stride(self.values, rows, columns, stride(rows))
+    }
+}
+
+fn to_be_written(values: &mut [f64], (rows, columns): (usize, usize)) -> MatMut<'_, f64> {
+    MatMut::from_column_major_slice_with_stride_mut(values, rows, columns, stride(rows))
+}
+
+/// Two dense matrices in one piece of memory, of which large pieces take less time to be had.
+#[derive(Debug, Default)]
+pub(crate) struct TwoBlocks {
+    values: Numbers,
+    /// Rows and columns of each.
+    sizes: [(usize, usize); 2],
+}
+
+impl TwoBlocks {
+    /// Gives them these sizes, in the memory that there is if that will do; what is in it is to be
+    /// written.
+    ///
+    /// # Errors
+    /// If memory runs out.
+    pub fn resize(&mut self, sizes: [(usize, usize); 2]) -> Result<()> {
+        let counts = sizes.map(|(rows, columns)| stride(rows).saturating_mul(columns));
+        let count = counts[0].saturating_add(counts[1]);
+        if count > self.values.len() {
+            // The memory that it has first.
+            *self = TwoBlocks::default();
+            let [(own, all), (rest, _)] = sizes;
+            let what = format!("dense blocks of {own} × {all} and {rest} × {own}");
+            self.values = Numbers::zeros(&what, count)?;
+        }
+        self.sizes = sizes;
+        Ok(())
+    }
+
+    /// Where the second begins.
+    fn second(&self) -> usize {
+        let (rows, columns) = self.sizes[0];
+        stride(rows) * columns
+    }
+
+    pub fn both(&self) -> [BlockView<'_>; 2] {
+        let (first, second) = self.values.split_at(self.second());
+        let view = |values, (rows, columns)| BlockView {
             values,
             rows,
             columns,
-        } = self;
-        MatMut::from_column_major_slice_with_stride_mut(values, *rows, *columns, stride(*rows))
+        };
+        [view(first, self.sizes[0]), view(second, self.sizes[1])]
+    }
+
+    pub fn both_mut(&mut self) -> [MatMut<'_, f64>; 2] {
+        let (at, sizes) = (self.second(), self.sizes);
+        let (first, second) = self.values.split_at_mut(at);
+        [
+            to_be_written(first, sizes[0]),
+            to_be_written(second, sizes[1]),
+        ]
     }
 }
 

@@ -2,7 +2,7 @@
 //! as they have pivots.
 
 use crate::error::Result;
-use crate::solve::linear::block::{Block, SpareBlocks};
+use crate::solve::linear::block::{Block, BlockView, SpareBlocks, TwoBlocks};
 use crate::solve::linear::blocks::{self, Diagonal};
 use crate::solve::linear::dense::largest;
 use crate::solve::linear::lu;
@@ -29,10 +29,9 @@ pub(crate) struct Front {
     pub rows: Vec<usize>,
     pub columns: Vec<usize>,
     /// `L`, `U` and, to their right, `U₁₂`; before, `F₁₁` and `F₁₂`. Below them are the rows of
-    /// equations without pivots: of `L`, and what is left.
-    pub upper: Block,
-    /// `L₂₁`, and to its right what is left of unknowns without pivots; before, `F₂₁`.
-    pub lower: Block,
+    /// equations without pivots: of `L`, and what is left. Then `L₂₁`, and to its right what is
+    /// left of unknowns without pivots; before, `F₂₁`.
+    pub factors: TwoBlocks,
     /// Whether it was found singular on its own: what has no pivot waits for the parent's ever
     /// after.
     waits: bool,
@@ -90,8 +89,7 @@ impl Front {
         Front {
             rows: Vec::new(),
             columns: Vec::new(),
-            upper: Block::default(),
-            lower: Block::default(),
+            factors: TwoBlocks::default(),
             waits: false,
             delayed_rows: Vec::new(),
             delayed_columns: Vec::new(),
@@ -99,6 +97,16 @@ impl Front {
             remainder: Block::default(),
             largest_entry: 0.0,
         }
+    }
+
+    /// The first of its factors.
+    pub fn upper(&self) -> BlockView<'_> {
+        self.factors.both()[0]
+    }
+
+    /// The second.
+    pub fn lower(&self) -> BlockView<'_> {
+        self.factors.both()[1]
     }
 
     /// Numbers of its factors.
@@ -109,24 +117,24 @@ impl Front {
 
     /// How many unknowns are left, without pivots and of the boundary.
     pub fn left_over(&self) -> usize {
-        self.upper.columns().saturating_sub(self.rows.len())
+        self.upper().columns().saturating_sub(self.rows.len())
     }
 
     /// The rows of a column of the factors below their pivots: of equations without pivots, and of
     /// the boundary.
     fn below(&self, column: usize) -> [&[f64]; 2] {
-        let upper = &self.upper.column(column)[self.rows.len()..];
-        [upper, self.lower.column(column)]
+        let upper = &self.upper().column(column)[self.rows.len()..];
+        [upper, self.lower().column(column)]
     }
 
     /// A column of what is left, of unknowns without pivots and then of the boundary: rows of
     /// equations without pivots, and of the boundary.
     pub fn left(&self, column: usize) -> [&[f64]; 2] {
         let place = self.rows.len() + column;
-        match place.checked_sub(self.upper.rows()) {
+        match place.checked_sub(self.upper().rows()) {
             None => self.below(place),
             Some(beyond) => {
-                let upper = &self.upper.column(place)[self.rows.len()..];
+                let upper = &self.upper().column(place)[self.rows.len()..];
                 [upper, self.remainder.column(beyond)]
             }
         }
@@ -137,8 +145,7 @@ impl Front {
     /// # Errors
     /// If memory runs out.
     pub fn resize(&mut self, own: usize, rest: usize, spare: &SpareBlocks) -> Result<()> {
-        self.upper.resize(own, own + rest)?;
-        self.lower.resize(rest, own)?;
+        self.factors.resize([(own, own + rest), (rest, own)])?;
         if (self.remainder.rows(), self.remainder.columns()) != (rest, rest) {
             self.release(spare);
             self.remainder = spare.take(rest, rest)?;
@@ -194,12 +201,12 @@ impl Front {
     /// Updates the largest sizes that its columns have had.
     fn measure_columns(&self, sizes: &mut [f64]) {
         for (j, size) in sizes.iter_mut().enumerate() {
-            *size = size.max(largest(self.upper.column(j)));
+            *size = size.max(largest(self.upper().column(j)));
         }
     }
 
     fn parallelism(&self, parallelism: Par) -> Par {
-        let (count, rest) = (self.lower.columns(), self.lower.rows());
+        let (count, rest) = (self.lower().columns(), self.lower().rows());
         match elimination_work(count, rest) < LARGE_FRONT {
             true => Par::Seq,
             false => parallelism,
@@ -213,7 +220,7 @@ impl Front {
         workspace: &mut FrontWorkspace,
         parallelism: Par,
     ) -> Result<bool> {
-        let count = self.upper.rows();
+        let count = self.upper().rows();
         self.measure_columns(&mut workspace.sizes);
         let parallelism = self.parallelism(parallelism);
         let FrontWorkspace {
@@ -226,7 +233,8 @@ impl Front {
         // Written so that NaN fails too.
         let accepts = |j: usize, pivot: f64| pivot > smallest_pivot * sizes[j] && pivot.is_finite();
         let all = (parallelism, &*workers);
-        if !lu::factor(self.upper.as_mut(), order, accepts, all)? {
+        let [upper, _] = self.factors.both_mut();
+        if !lu::factor(upper, order, accepts, all)? {
             return Ok(false);
         }
         self.rows = order.iter().map(|&row| self.rows[row]).collect();
@@ -236,11 +244,11 @@ impl Front {
 
     /// Reduces the rows of the boundary, once the unknowns that have pivots are known.
     fn reduce_boundary(&mut self, parallelism: Par, workers: &Workers) -> Result<()> {
-        let (count, own) = (self.rows.len(), self.upper.rows());
-        let upper = self.upper.as_ref().subrows(0, count);
-        let (square, beyond) = upper.split_at_col(count);
+        let (count, own) = (self.rows.len(), self.upper().rows());
+        let [upper, lower] = self.factors.both_mut();
+        let (square, beyond) = upper.as_ref().subrows(0, count).split_at_col(count);
         let (delayed, boundary) = beyond.split_at_col(own - count);
-        let (mut lower, left) = self.lower.as_mut().split_at_col_mut(count);
+        let (mut lower, left) = lower.split_at_col_mut(count);
         // L₂₁ U = F₂₁, transposed: Uᵀ L₂₁ᵀ = F₂₁ᵀ.
         let transposed = lower.as_mut().transpose_mut();
         let square = (square.transpose(), Diagonal::Own);
@@ -259,16 +267,17 @@ impl Front {
         workspace: &mut FrontWorkspace,
         parallelism: Par,
     ) -> Result<()> {
-        let own = self.upper.rows();
+        let own = self.upper().rows();
         self.measure_columns(&mut workspace.sizes);
         // A column that is tiny but for its rows in the boundary has its pivot there.
         for (j, size) in workspace.sizes.iter_mut().enumerate() {
-            *size = size.max(BOUNDARY_SHARE * largest(self.lower.column(j)));
+            *size = size.max(BOUNDARY_SHARE * largest(self.lower().column(j)));
         }
         let parallelism = self.parallelism(parallelism);
         let mut order: Vec<usize> = (0..own).collect();
+        let [upper, _] = self.factors.both_mut();
         let count = factor_partially(
-            self.upper.as_mut(),
+            upper,
             &mut self.rows,
             &mut order,
             &mut workspace.sizes,
@@ -280,7 +289,8 @@ impl Front {
         self.delayed_columns = self.columns.split_off(count);
         self.delayed_sizes
             .extend_from_slice(&workspace.sizes[count..]);
-        exchange_columns(self.lower.as_mut(), order);
+        let [_, lower] = self.factors.both_mut();
+        exchange_columns(lower, order);
         self.reduce_boundary(parallelism, &workspace.workers)
     }
 }

@@ -60,13 +60,13 @@ impl DirectSolver {
             let own = front.rows.len();
             let mut y = reduced.as_mut().subrows_mut(first, own);
             self.gather_columns(&front.rows, &[], rhs.as_mut(), y.as_mut());
-            let (square, delayed) = front.upper.as_ref().subcols(0, own).split_at_row(own);
+            let (square, delayed) = front.upper().as_ref().subcols(0, own).split_at_row(own);
             let square = (square, Diagonal::Ones);
             solve_lower(square, y.as_mut(), Par::Seq, &self.workers)?;
             let mut local = boundary.as_mut().subrows_mut(0, front.left_over());
             self.gather_columns(&front.delayed_rows, groups, rhs.as_mut(), local.as_mut());
             let (above, below) = local.as_mut().split_at_row_mut(delayed.nrows());
-            let lower = front.lower.as_ref().subcols(0, own);
+            let lower = front.lower().as_ref().subcols(0, own);
             for (part, factors) in [(above, delayed), (below, lower)] {
                 subtract_matmul(part, factors, y.as_ref(), Par::Seq, &self.workers)?;
             }
@@ -79,7 +79,7 @@ impl DirectSolver {
             let mut y = reduced.as_mut().subrows_mut(first, own);
             let mut local = boundary.as_mut().subrows_mut(0, front.left_over());
             self.gather_columns(&front.delayed_columns, groups, rhs.as_mut(), local.as_mut());
-            let upper = front.upper.as_ref().subrows(0, own);
+            let upper = front.upper().as_ref().subrows(0, own);
             let (factors, beyond) = upper.split_at_col(own);
             subtract_matmul(y.as_mut(), beyond, local.as_ref(), Par::Seq, &self.workers)?;
             solve_upper(factors, y.as_mut(), Par::Seq, &self.workers)?;

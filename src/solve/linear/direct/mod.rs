@@ -158,7 +158,7 @@ impl DirectSolver {
         let (mut sign, mut logarithm) = (1.0, 0.0);
         for front in &self.fronts {
             for j in 0..front.rows.len() {
-                let pivot = front.upper.column(j)[j];
+                let pivot = front.upper().column(j)[j];
                 sign *= pivot.signum();
                 logarithm += pivot.abs().ln();
             }
@@ -185,7 +185,7 @@ impl DirectSolver {
             let (first, count) = (reduced.len(), front.rows.len());
             reduced.extend(front.columns.iter().map(|&column| rhs[column]));
             let y = &mut reduced[first..];
-            let upper = front.upper.each_column();
+            let upper = front.upper().each_column();
             solve_upper_transposed(upper, y);
             self.gather(&front.delayed_columns, &plan.boundary, rhs, &mut local);
             subtract_transposed(&mut local, |j| upper(count + j), y);
@@ -197,7 +197,7 @@ impl DirectSolver {
             let y = &mut reduced[first..];
             self.gather(&front.delayed_rows, &plan.boundary, rhs, &mut local);
             let (delayed, boundary) = local.split_at(front.delayed_rows.len());
-            let (upper, lower) = (front.upper.each_column(), front.lower.each_column());
+            let (upper, lower) = (front.upper().each_column(), front.lower().each_column());
             subtract_transposed(y, |j| &upper(j)[front.rows.len()..], delayed);
             subtract_transposed(y, lower, boundary);
             solve_unit_lower_transposed(upper, y);

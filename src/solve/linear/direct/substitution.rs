@@ -151,7 +151,7 @@ impl DirectSolver {
             let first = reduced.len();
             reduced.extend(front.rows.iter().map(|&row| rhs[row]));
             let y = &mut reduced[first..];
-            let (upper, below) = (front.upper.each_column(), front.lower.each_column());
+            let (upper, below) = (front.upper().each_column(), front.lower().each_column());
             lower(workers, upper, y);
             self.gather(&front.delayed_rows, &plan.boundary, rhs, &mut local);
             let (delayed, boundary) = local.split_at_mut(front.delayed_rows.len());
@@ -177,7 +177,7 @@ impl DirectSolver {
             let first = reduced.len() - count;
             let y = &mut reduced[first..];
             self.gather(&front.delayed_columns, &plan.boundary, rhs, &mut local);
-            let of_front = front.upper.each_column();
+            let of_front = front.upper().each_column();
             subtract(workers, y, |j| of_front(count + j), &local);
             upper(workers, of_front, y);
             for (&column, x) in front.columns.iter().zip(&*y) {

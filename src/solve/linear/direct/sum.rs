@@ -70,18 +70,16 @@ impl<'a> Sum<'a> {
     /// # Errors
     /// If work is to end.
     pub fn write(&self, front: &mut Front, shared: (Par, &Workers)) -> Result<()> {
-        let (count, size) = (front.upper.rows(), front.upper.columns());
+        let (count, size) = (front.upper().rows(), front.upper().columns());
         self.largest.store(0, Ordering::Relaxed);
         let width = (STRIP / size.max(1)).max(1);
         let Front {
-            upper,
-            lower,
-            remainder,
-            ..
+            factors, remainder, ..
         } = front;
-        let (left, right) = upper.as_mut().split_at_col_mut(count);
-        for (first, upper, below) in [(0, left, lower), (count, right, remainder)] {
-            let columns = (upper, below.as_mut());
+        let [upper, lower] = factors.both_mut();
+        let (left, right) = upper.split_at_col_mut(count);
+        for (first, upper, below) in [(0, left, lower), (count, right, remainder.as_mut())] {
+            let columns = (upper, below);
             strips(columns, width, shared, &|column, (upper, below)| {
                 self.write_strip(first + column, upper, below);
                 Ok(())
