@@ -79,27 +79,22 @@ struct Product;
 impl Kernel for Product {
     #[inline(always)]
     fn run<'a, S: Simd>(simd: S, y: &mut [f64], column: &impl Fn(usize) -> &'a [f64], x: &[f64]) {
-        let mut first = 0;
-        let mut next = |count: usize| {
-            first += count;
-            first - count
-        };
-        let mut groups = x.chunks_exact(TOGETHER);
-        for x in &mut groups {
-            subtract::<S, TOGETHER>(simd, y, column, (next(TOGETHER), x));
+        let together = x.len() / TOGETHER * TOGETHER;
+        let few = x.len() / FEW * FEW;
+        for first in (0..together).step_by(TOGETHER) {
+            subtract::<S, TOGETHER>(simd, y, column, (first, &x[first..]));
         }
-        let mut rest = groups.remainder().chunks_exact(FEW);
-        for x in &mut rest {
-            subtract::<S, FEW>(simd, y, column, (next(FEW), x));
+        for first in (together..few).step_by(FEW) {
+            subtract::<S, FEW>(simd, y, column, (first, &x[first..]));
         }
-        for x in rest.remainder().chunks_exact(1) {
-            subtract::<S, 1>(simd, y, column, (next(1), x));
+        for first in few..x.len() {
+            subtract::<S, 1>(simd, y, column, (first, &x[first..]));
         }
     }
 }
 
-/// `y −= A x` for `N` columns from the first on. Each row is summed up in the same order, wherever
-/// it stands.
+/// `y −= A x` for `N` columns from the first on and as many entries of `x`. Each row is summed up
+/// in the same order, wherever it stands.
 #[inline(always)]
 fn subtract<'a, S: Simd, const N: usize>(
     simd: S,
@@ -176,22 +171,17 @@ struct TransposedProduct;
 impl Kernel for TransposedProduct {
     #[inline(always)]
     fn run<'a, S: Simd>(simd: S, y: &mut [f64], column: &impl Fn(usize) -> &'a [f64], x: &[f64]) {
-        let mut first = 0;
-        let mut next = |count: usize| {
-            first += count;
-            first - count
-        };
-        let mut groups = y.chunks_exact_mut(FEW);
-        for y in &mut groups {
-            subtract_sums::<S, FEW>(simd, y, column, (next(FEW), x));
+        let few = y.len() / FEW * FEW;
+        for first in (0..few).step_by(FEW) {
+            subtract_sums::<S, FEW>(simd, &mut y[first..], column, (first, x));
         }
-        for y in groups.into_remainder().chunks_exact_mut(1) {
-            subtract_sums::<S, 1>(simd, y, column, (next(1), x));
+        for first in few..y.len() {
+            subtract_sums::<S, 1>(simd, &mut y[first..], column, (first, x));
         }
     }
 }
 
-/// `y −= Aᵀ x` for `N` columns from the first on.
+/// `y −= Aᵀ x` for `N` columns from the first on and as many entries of `y`.
 #[inline(always)]
 fn subtract_sums<'a, S: Simd, const N: usize>(
     simd: S,
