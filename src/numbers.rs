@@ -62,9 +62,14 @@ impl<T: Pod> Numbers<T> {
                 true => whole,
                 false => bytes,
             };
-            let mapped = MmapMut::map_anon(taken.saturating_add(PAGE));
-            let pages = mapped.map_err(|_| memory::lacking(what, bytes))?;
-            let first = pages.as_ptr().align_offset(PAGE).min(PAGE);
+            let lacking = |_| memory::lacking(what, bytes);
+            let mut pages = MmapMut::map_anon(taken).map_err(lacking)?;
+            let mut first = pages.as_ptr().align_offset(PAGE);
+            if first != 0 {
+                // Another place, with room for it to begin where a large page does.
+                pages = MmapMut::map_anon(taken.saturating_add(PAGE)).map_err(lacking)?;
+                first = pages.as_ptr().align_offset(PAGE).min(PAGE);
+            }
             // Where there are none, small ones serve.
             #[cfg(target_os = "linux")]
             let _ = pages.advise_range(memmap2::Advice::HugePage, first, taken);
