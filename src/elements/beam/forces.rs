@@ -2,6 +2,7 @@
 
 use super::Beam;
 use super::law::CoupledLaw;
+use super::material::{Damping, add_material_stiffness};
 use super::station::Station;
 use super::two_nodes::TwoNodes;
 use crate::elements::line_station::{
@@ -11,7 +12,7 @@ use crate::elements::line_station::{
 use crate::elements::{Contribution, Element, Instant, NodeState, StrainTangent, StressLaw};
 use crate::error::Result;
 use crate::motion::{DualMatrix, DualVector, product, vectorised};
-use nalgebra::{Matrix6, Vector6};
+use nalgebra::Vector6;
 use std::ops::Range;
 
 /// Scratch for what the element finds at its stations.
@@ -231,15 +232,6 @@ fn twists_of_two(states: &[NodeState]) -> [DualVector; 2] {
     [0, 1].map(twists_of(states))
 }
 
-/// Whether strain rates matter, whether they vary with the motion, and whether the stiffness is
-/// symmetric all the same.
-#[derive(Debug, Clone, Copy)]
-struct Damping {
-    damped: bool,
-    rates_vary: bool,
-    symmetric: bool,
-}
-
 impl Beam {
     /// Finds "velocities in ξ" at the Gauss points, less those of the reference, and their rates,
     /// if resultants depend on them.
@@ -449,58 +441,5 @@ fn held_resultants(
 fn add_forces(forces: impl IntoIterator<Item = DualVector>, out: &mut Contribution) {
     for (a, force) in forces.into_iter().enumerate() {
         out.add_force(a, &force.to_wrench());
-    }
-}
-
-/// Adds `K_ab = B_aᵀ Σ (S B_b + D R_b)` and `C_ab = B_aᵀ Σ D B_b`, sums over the stations that the
-/// `laws` of this one are of, whose `columns` follow each other; or puts `B` and `R` aside, if they
-/// are wanted apart.
-#[inline(always)]
-fn add_material_stiffness(
-    rows: &[StrainTangent],
-    laws: &[(Matrix6<f64>, Matrix6<f64>)],
-    columns: &[StrainTangent],
-    Damping {
-        damped,
-        rates_vary,
-        symmetric,
-    }: Damping,
-    out: &mut Contribution,
-) {
-    if out.with_resultants_apart {
-        out.strains.extend_from_slice(rows);
-        return;
-    }
-    let count = rows.len();
-    // All transposed.
-    for b in 0..count {
-        let (mut by_motion, mut by_velocity) = (Matrix6::zeros(), Matrix6::zeros());
-        for ((stiffness, damping), columns) in laws.iter().zip(columns.chunks_exact(count)) {
-            let column = &columns[b];
-            column.strain.add_product_to(stiffness, &mut by_motion);
-            if rates_vary {
-                column.rate.add_product_to(damping, &mut by_motion);
-            }
-            if damped {
-                column.strain.add_product_to(damping, &mut by_velocity);
-            }
-        }
-        let (by_motion, by_velocity) = (by_motion.transpose(), by_velocity.transpose());
-        for (a, row) in rows.iter().enumerate() {
-            // It is the sum over all stations that is symmetric.
-            if !symmetric || a <= b {
-                let mut k = Matrix6::zeros();
-                row.strain.add_product_to(&by_motion, &mut k);
-                out.add_stiffness(a, b, &k.transpose());
-                if symmetric && a < b {
-                    out.add_stiffness(b, a, &k);
-                }
-            }
-            if damped {
-                let mut c = Matrix6::zeros();
-                row.strain.add_product_to(&by_velocity, &mut c);
-                out.add_damping(a, b, &c.transpose());
-            }
-        }
     }
 }

@@ -6,6 +6,7 @@
 
 mod forces;
 mod law;
+mod material;
 mod reference;
 mod station;
 mod two_nodes;

@@ -367,8 +367,7 @@ impl<T: Lanes> BlockLanes<T> {
                 return false;
             }
             for &(row, below, _) in &step.later {
-                let rows = structure.sizes[row];
-                let count = rows * size;
+                let (rows, count) = (structure.sizes[row], structure.sizes[row] * size);
                 left.clear();
                 left.extend_from_slice(&self.values[below..][..count]);
                 let (inverse, target) = two(
@@ -440,10 +439,9 @@ impl<T: Lanes> BlockLanes<T> {
                 factors.backward(fronts, x, scratch)
             });
         }
-        let scratch = &mut scratch.lanes;
         vectorised(
             #[inline(always)]
-            || self.backward_by_blocks(structure, x, scratch),
+            || self.backward_by_blocks(structure, x, &mut scratch.lanes),
         );
     }
 
