@@ -3,7 +3,7 @@
 use super::Tangent;
 use crate::collocation::problem::Collocation;
 use crate::collocation::rule::RuleWorkspace;
-use crate::motion::DualVector;
+use crate::motion::{DualVector, transposed_product, vectorised};
 use nalgebra::Vector6;
 
 /// Scratch of one thread.
@@ -26,14 +26,20 @@ impl Tangent {
         let scaled = x.iter().zip(equations.row_scale());
         let forces: Vec<f64> = scaled.map(|(x, scale)| x * scale).collect();
         let scales = self.resultant_scales(equations.system());
-        let stretched = self.stretch(&forces, &scales, (unbalance, resultants));
+        let stretched = vectorised(
+            #[inline(always)]
+            || self.stretch(&forces, &scales, (unbalance, &mut *resultants)),
+        );
         let mut columns: Vec<&mut [f64]> = y[..size].chunks_mut(layout.of_node()).collect();
         equations.workers().for_each(
             &mut columns,
             &mut Vec::new(),
             Scratch::default,
             |scratch, node, y| {
-                self.write_column(equations, node, (&forces, &stretched), scratch, y)
+                vectorised(
+                    #[inline(always)]
+                    || self.write_column(equations, node, (&forces, &stretched), scratch, y),
+                );
             },
         );
         y[size..].fill(0.0);
@@ -51,6 +57,7 @@ impl Tangent {
     /// What strains and strain rates of station `s` at grid point `k` are multiplied by, at
     /// `s N + k`: the laws' transposes of what resultants are. Where these are unknowns, that is
     /// their equations' `unbalance`, and what they are multiplied by is written to `resultants`.
+    #[inline(always)]
     fn stretch(
         &self,
         forces: &[f64],
@@ -84,7 +91,7 @@ impl Tangent {
                 for (offset, stiffness, damping) in own.into_iter().chain(others) {
                     let sums = &mut all[s.saturating_add_signed(offset) * points + k];
                     let wrench = |law: &nalgebra::Matrix6<f64>| {
-                        DualVector::from_wrench(&law.tr_mul(&by_resultants))
+                        DualVector::from_wrench(&transposed_product(law, &by_resultants))
                     };
                     sums[0] += wrench(stiffness);
                     if station.damped {
@@ -97,6 +104,7 @@ impl Tangent {
     }
 
     /// Writes the rows of a node's motions.
+    #[inline(always)]
     fn write_column(
         &self,
         equations: &Collocation,
@@ -121,10 +129,10 @@ impl Tangent {
             let rows = forces.zip(y.chunks_exact_mut(6)).zip(&mut *by_rates);
             for (k, ((force, y), by_rates)) in rows.enumerate() {
                 let (force, tangent) = (Vector6::from_column_slice(force), self.pair(pair, k));
-                add(y, &tangent.stiffness.tr_mul(&force));
+                add(y, &transposed_product(tangent.stiffness, &force));
                 if coupling.moving {
-                    by_rates[0] += tangent.damping.tr_mul(&force);
-                    by_rates[1] += tangent.mass.tr_mul(&force);
+                    by_rates[0] += transposed_product(tangent.damping, &force);
+                    by_rates[1] += transposed_product(tangent.mass, &force);
                 }
             }
         }
