@@ -251,34 +251,23 @@ impl NodeKinematics {
         other.resize(self.motions.len());
         by_a.clear();
         by_b.clear();
-        vectorised(
-            #[inline(always)]
-            || {
-                for (l, [by_velocity, by_acceleration]) in by_rates.iter().enumerate() {
-                    let q = DualVector::from_wrench(by_acceleration);
-                    let p = DualVector::from_wrench(by_velocity)
-                        - self.a[l].trace_minus_transpose() * q;
-                    by_b.push(q.skew());
-                    by_a.push(p.skew() + self.velocity(l).skew() * by_b[l] * 2.0);
-                    series.set(l, &(self.motion(l) * by_a[l]));
-                    other.set(l, &(self.motion(l) * by_b[l]));
-                }
-            },
-        );
+        for (l, [by_velocity, by_acceleration]) in by_rates.iter().enumerate() {
+            let q = DualVector::from_wrench(by_acceleration);
+            let p = DualVector::from_wrench(by_velocity) - self.a[l].trace_minus_transpose() * q;
+            by_b.push(q.skew());
+            by_a.push(p.skew() + self.velocity(l).skew() * by_b[l] * 2.0);
+            series.set(l, &(self.motion(l) * by_a[l]));
+            other.set(l, &(self.motion(l) * by_b[l]));
+        }
         let sums = &mut series.derivatives[..ALL * self.motions.len()];
         operators.apply_transposed(ENTRIES, [&series.samples, &other.samples], sums);
-        vectorised(
-            #[inline(always)]
-            || {
-                for (k, out) in out.chunks_exact_mut(6).enumerate() {
-                    let sum = self.motion(k).tr_mul(&matrix_at(sums, k))
-                        - by_a[k] * self.a[k].transpose()
-                        - by_b[k] * self.b[k].transpose();
-                    let wrench = sum.axial().to_wrench();
-                    out.iter_mut().zip(&wrench).for_each(|(out, x)| *out += x);
-                }
-            },
-        );
+        for (k, out) in out.chunks_exact_mut(6).enumerate() {
+            let sum = self.motion(k).tr_mul(&matrix_at(sums, k))
+                - by_a[k] * self.a[k].transpose()
+                - by_b[k] * self.b[k].transpose();
+            let wrench = sum.axial().to_wrench();
+            out.iter_mut().zip(&wrench).for_each(|(out, x)| *out += x);
+        }
     }
 
     /// Blocks `(ℓ, k)` of `Γ_v` and `Γ_a` (docs/theory.md, section 4.2): `Δv_ℓ = Σ_k Γ_v Δu_k`,

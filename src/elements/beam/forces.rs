@@ -82,7 +82,6 @@ impl Scratch {
     }
 
     /// The same, and adds the geometric stiffness of these resultants.
-    #[inline(always)]
     fn add_tangents(
         &mut self,
         at: &StationMotion,
@@ -359,10 +358,7 @@ impl Beam {
             }
             let held = held_resultants(instant, place, station, stress);
             let rate = damping.rates_vary.then_some(&rate);
-            vectorised(
-                #[inline(always)]
-                || scratch.add_tangents(&at, 0..states.len(), (&held, states, rate), out),
-            );
+            scratch.add_tangents(&at, 0..states.len(), (&held, states, rate), out);
             let variations = &scratch.variations[..];
             let law = [station.own_law()];
             vectorised(
@@ -406,10 +402,7 @@ impl Beam {
             let held = held_resultants(instant, place, station, stress);
             let rate = DualVector::from_twist(&scratch.rates[place]);
             let rate = damping.rates_vary.then_some(&rate);
-            vectorised(
-                #[inline(always)]
-                || scratch.add_tangents(&at, places.clone(), (&held, states, rate), out),
-            );
+            scratch.add_tangents(&at, places, (&held, states, rate), out);
         }
         if out.with_tangents {
             for (place, rows) in scratch.variations.chunks_exact(count).enumerate() {
