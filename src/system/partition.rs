@@ -29,13 +29,10 @@ impl Partition {
     }
 }
 
-/// For each node the number of its part, if no element of those that `count` is connected to the
-/// ground or, where nothing is, to the first node: parts count from 1 then, and none stands for the
-/// first part.
-pub(super) fn parts(system: &System, counts: impl Fn(&Placed) -> bool) -> Vec<Option<usize>> {
+/// The nodes, and the ground behind them, as elements of those that `count` connect them.
+fn connected(system: &System, counts: impl Fn(&Placed) -> bool) -> Partition {
     let ground = system.nodes();
     let mut connected = Partition::new(ground + 1);
-    let mut grounded = false;
     for placed in system.elements().iter().filter(|placed| counts(placed)) {
         let nodes = placed.element.nodes();
         for pair in nodes.windows(2) {
@@ -43,11 +40,21 @@ pub(super) fn parts(system: &System, counts: impl Fn(&Placed) -> bool) -> Vec<Op
         }
         if let (ElementRole::Joint(_) | ElementRole::Force(_), [node]) = (placed.role, nodes) {
             connected.join(*node, ground);
-            grounded = true;
         }
     }
-    let representatives = connected.representatives();
-    let main = representatives[if grounded { ground } else { 0 }];
+    connected
+}
+
+/// For each node the number of its part, if no element of those that `count` is connected to the
+/// ground or, where nothing is, to the first node: parts count from 1 then, and none stands for the
+/// first part.
+pub(super) fn parts(system: &System, counts: impl Fn(&Placed) -> bool) -> Vec<Option<usize>> {
+    let ground = system.nodes();
+    let representatives = connected(system, counts).representatives();
+    let main = match representatives[ground] {
+        alone if alone == ground => representatives[0],
+        main => main,
+    };
     let mut others: Vec<usize> = Vec::new();
     representatives[..ground]
         .iter()
@@ -68,21 +75,16 @@ impl System {
     /// Whether no joint or force connects some of the nodes to the ground, be it through others: at
     /// another place these move as they do here.
     pub(crate) fn has_floating_nodes(&self) -> bool {
+        use ElementRole::{Force, Inertia, Load, MassDamping};
         let ground = self.nodes();
-        let mut connected = Partition::new(ground + 1);
-        for placed in self.elements() {
-            let nodes = placed.element.nodes();
-            match placed.role {
-                ElementRole::Inertia | ElementRole::Load | ElementRole::MassDamping => continue,
-                // Some depend on where in space their nodes are.
-                ElementRole::Force(_) => nodes.iter().for_each(|&n| connected.join(n, ground)),
-                _ => {}
-            }
-            for pair in nodes.windows(2) {
-                connected.join(pair[0], pair[1]);
-            }
-            if let (ElementRole::Joint(_), [node]) = (placed.role, nodes) {
-                connected.join(*node, ground);
+        let mut connected = connected(self, |placed| {
+            !matches!(placed.role, Inertia | Load | MassDamping)
+        });
+        // Some forces depend on where in space their nodes are.
+        let forces = self.elements().iter();
+        for placed in forces.filter(|placed| matches!(placed.role, Force(_))) {
+            for &node in placed.element.nodes() {
+                connected.join(node, ground);
             }
         }
         let representatives = connected.representatives();

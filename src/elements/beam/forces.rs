@@ -61,7 +61,6 @@ impl Scratch {
     }
 
     /// Appends what strains vary by, with their rate if that varies, for nodes in these places.
-    #[inline(always)]
     fn add_variations(
         &mut self,
         at: &StationMotion,

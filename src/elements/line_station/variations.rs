@@ -88,7 +88,6 @@ impl<T: Scalar> SecondVariations<T> {
 }
 
 /// [`SecondVariations`], node by node.
-#[inline(always)]
 pub fn second_variations<'a>(
     at: &StationMotion,
     stress: &DualVector,
@@ -102,7 +101,6 @@ pub fn second_variations<'a>(
 ///
 /// Increments of two nodes commute, so that blocks on both sides of the diagonal are transposes of
 /// each other.
-#[inline(always)]
 pub fn geometric_stiffness(
     terms: &[NodeTerms],
     second: &[SecondTerms],
@@ -124,7 +122,6 @@ pub fn geometric_stiffness(
 }
 
 /// One block, but for what the node's own increment does on the diagonal.
-#[inline(always)]
 fn geometric_block(
     (row, by): (&NodeTerms, &SecondTerms),
     (column, own): (&NodeTerms, &SecondTerms),
@@ -137,7 +134,6 @@ fn geometric_block(
 
 /// Variation of the strain rate `ė = Σ B_a V_a` at constant nodal velocities (docs/theory.md,
 /// section 6.5): fills `rate`.
-#[inline(always)]
 pub fn rate_variations(
     at: &StationMotion,
     rate: &DualVector,

@@ -87,4 +87,15 @@ mod tests {
         let none = decomposed(DMatrix::zeros(3, 3)).unwrap();
         assert_eq!(none.singular_values.amax(), 0.0);
     }
+
+    #[test]
+    fn the_largest_entry_is_found_at_any_place() {
+        for count in [0, 1, 3, 4, 7, 18] {
+            let values: Vec<f64> = (0..count).map(|i| (0.3 * i as f64).sin() + 0.5).collect();
+            assert_eq!(
+                largest(&values),
+                values.iter().fold(0.0, |m: f64, x| m.max(x.abs()))
+            );
+        }
+    }
 }

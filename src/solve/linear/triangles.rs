@@ -5,7 +5,7 @@ use faer::traits::pulp::{Arch, Simd, WithSimd};
 use std::array::from_fn;
 use std::marker::PhantomData;
 
-/// Columns that are taken together, and rest of them that is.
+/// Columns that are taken together, and of those that are left.
 const TOGETHER: usize = 8;
 const FEW: usize = 4;
 

@@ -99,16 +99,7 @@ impl DirectSolver {
     ) {
         for j in 0..to.ncols() {
             let (from, to) = (column(from.as_ref(), j), column_mut(&mut to, j));
-            let (single, mut to) = to.split_at_mut(places.len());
-            for (to, &row) in single.iter_mut().zip(places) {
-                *to = from[row];
-            }
-            for &g in groups {
-                let from = &from[self.analysis.groups[g].clone()];
-                let (part, others) = to.split_at_mut(from.len());
-                part.copy_from_slice(from);
-                to = others;
-            }
+            self.gather_to(places, groups, from, to);
         }
     }
 
@@ -122,16 +113,7 @@ impl DirectSolver {
     ) {
         for j in 0..to.ncols() {
             let (from, to) = (column(from.as_ref(), j), column_mut(&mut to, j));
-            let (single, mut from) = from.split_at(places.len());
-            for (from, &row) in single.iter().zip(places) {
-                to[row] = *from;
-            }
-            for &g in groups {
-                let to = &mut to[self.analysis.groups[g].clone()];
-                let (part, others) = from.split_at(to.len());
-                to.copy_from_slice(part);
-                from = others;
-            }
+            self.scatter(places, groups, from, to);
         }
     }
 }

@@ -323,10 +323,21 @@ impl DirectSolver {
 
     /// Entries of the vector `from` at some places, and those of some groups.
     fn gather(&self, places: &[usize], groups: &[usize], from: &[f64], to: &mut Vec<f64>) {
-        to.clear();
-        to.extend(places.iter().map(|&place| from[place]));
+        to.resize(places.len() + self.analysis.size_of(groups), 0.0);
+        self.gather_to(places, groups, from, to);
+    }
+
+    /// The same, to as many numbers.
+    fn gather_to(&self, places: &[usize], groups: &[usize], from: &[f64], to: &mut [f64]) {
+        let (single, mut to) = to.split_at_mut(places.len());
+        for (to, &place) in single.iter_mut().zip(places) {
+            *to = from[place];
+        }
         for &g in groups {
-            to.extend_from_slice(&from[self.analysis.groups[g].clone()]);
+            let from = &from[self.analysis.groups[g].clone()];
+            let (part, others) = to.split_at_mut(from.len());
+            part.copy_from_slice(from);
+            to = others;
         }
     }
 
