@@ -44,6 +44,7 @@ pub mod model;
 pub mod motion;
 pub(crate) mod numbers;
 pub mod output;
+pub(crate) mod pages;
 pub mod quantity;
 pub mod ranks;
 pub mod solve;

@@ -2,6 +2,7 @@
 //! fails, Rust ends the process.
 
 use crate::error::{Error, ErrorKind, Result};
+use crate::pages::let_go;
 use std::hint::black_box;
 
 /// The error where so many bytes cannot be had.
@@ -10,12 +11,25 @@ pub(crate) fn lacking(what: &str, bytes: usize) -> Error {
     Error::new(ErrorKind::OutOfMemory, message)
 }
 
+/// Takes memory, if need be that which is kept for lists to come.
+pub(crate) fn with_what_is_kept<T, E>(
+    mut take: impl FnMut() -> std::result::Result<T, E>,
+) -> std::result::Result<T, E> {
+    take().or_else(|_| {
+        let_go();
+        take()
+    })
+}
+
 /// Checks that so many bytes are to be had just now, and takes none of them.
 pub(crate) fn require(what: &str, bytes: usize) -> Result<()> {
-    let mut probe = Vec::<u8>::new();
-    let had = probe.try_reserve_exact(bytes);
-    // What is never looked at the compiler would not take, either.
-    black_box(&probe);
+    let had = with_what_is_kept(|| {
+        let mut probe = Vec::<u8>::new();
+        let had = probe.try_reserve_exact(bytes);
+        // What is never looked at the compiler would not take, either.
+        black_box(&probe);
+        had
+    });
     had.map_err(|_| lacking(what, bytes))
 }
 
@@ -27,13 +41,14 @@ pub(crate) fn require_items(what: &str, count: usize, size: usize) -> Result<()>
 /// Makes room for `more` items, and as many as the list has grown by so far.
 pub(crate) fn reserve<T>(what: &str, list: &mut Vec<T>, more: usize) -> Result<()> {
     let bytes = (list.len().saturating_add(more)).saturating_mul(size_of::<T>());
-    list.try_reserve(more).map_err(|_| lacking(what, bytes))
+    let had = with_what_is_kept(|| list.try_reserve(more));
+    had.map_err(|_| lacking(what, bytes))
 }
 
 /// A list of no items, with room for `count`.
 pub(crate) fn room<T>(what: &str, count: usize) -> Result<Vec<T>> {
     let mut list = Vec::new();
-    let had = list.try_reserve_exact(count);
+    let had = with_what_is_kept(|| list.try_reserve_exact(count));
     had.map_err(|_| lacking(what, count.saturating_mul(size_of::<T>())))?;
     Ok(list)
 }

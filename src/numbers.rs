@@ -3,13 +3,11 @@
 
 use crate::error::Result;
 use crate::memory;
+use crate::pages::{PAGE, Pages};
 use bytemuck::{Pod, cast_slice, cast_slice_mut};
-use memmap2::MmapMut;
 use std::marker::PhantomData;
 use std::ops::{Deref, DerefMut, Range};
 
-/// Bytes of a large page.
-const PAGE: usize = 1 << 21;
 /// Bytes from which on a list has pages of its own.
 const LARGE: usize = PAGE / 3 * 2;
 /// The last page is a large one where what is beside it is at most a half of the list.
@@ -17,7 +15,14 @@ const BESIDE: usize = 2;
 /// Bytes of a vector of the processor, which lists begin at multiples of.
 const VECTOR: usize = 64;
 
-/// A list of numbers, or of vectors or matrices of them, zeros at first.
+/// What is in a list at first. Nobody is to read it: it may be what others have left.
+const NOTHING: f64 = if cfg!(debug_assertions) {
+    f64::NAN
+} else {
+    0.0
+};
+
+/// A list of numbers, or of vectors or matrices of them.
 #[derive(Debug)]
 pub(crate) struct Numbers<T = f64> {
     memory: Memory,
@@ -29,7 +34,7 @@ pub(crate) struct Numbers<T = f64> {
 #[derive(Debug)]
 enum Memory {
     Shared(Vec<f64>),
-    Own(MmapMut),
+    Own(Pages),
 }
 
 impl<T> Numbers<T> {
@@ -50,11 +55,11 @@ impl<T> Default for Numbers<T> {
 }
 
 impl<T: Pod> Numbers<T> {
-    /// So many of them, for this.
+    /// So many of them, for this; they are to be written.
     ///
     /// # Errors
     /// [`crate::error::ErrorKind::OutOfMemory`].
-    pub fn zeros(what: &str, count: usize) -> Result<Self> {
+    pub fn room(what: &str, count: usize) -> Result<Self> {
         let bytes = count.saturating_mul(size_of::<T>());
         if bytes >= LARGE {
             let whole = bytes.checked_next_multiple_of(PAGE).unwrap_or(bytes);
@@ -62,23 +67,16 @@ impl<T: Pod> Numbers<T> {
                 true => whole,
                 false => bytes,
             };
-            let lacking = |_| memory::lacking(what, bytes);
-            let mut pages = MmapMut::map_anon(taken).map_err(lacking)?;
-            let mut first = pages.as_ptr().align_offset(PAGE);
-            if first != 0 {
-                // Another place, with room for it to begin where a large page does.
-                pages = MmapMut::map_anon(taken.saturating_add(PAGE)).map_err(lacking)?;
-                first = pages.as_ptr().align_offset(PAGE).min(PAGE);
+            let pages = Pages::take(taken).map_err(|_| memory::lacking(what, bytes))?;
+            let mut numbers = Self::within(Memory::Own(pages), 0, bytes);
+            if cfg!(debug_assertions) {
+                cast_slice_mut::<T, f64>(&mut numbers).fill(NOTHING);
             }
-            // Where there are none, small ones serve.
-            #[cfg(target_os = "linux")]
-            let _ = pages.advise_range(memmap2::Advice::HugePage, first, taken);
-            let first = first / size_of::<f64>();
-            return Ok(Self::within(Memory::Own(pages), first, bytes));
+            return Ok(numbers);
         }
         let (count, beside) = (bytes / size_of::<f64>(), VECTOR / size_of::<f64>());
         let mut values = memory::room(what, count + beside)?;
-        values.resize(count + beside, 0.0);
+        values.resize(count + beside, NOTHING);
         let first = values.as_ptr().align_offset(VECTOR).min(beside);
         Ok(Self::within(Memory::Shared(values), first, bytes))
     }
@@ -88,9 +86,10 @@ impl<T: Pod> Deref for Numbers<T> {
     type Target = [T];
 
     fn deref(&self) -> &[T] {
+        let end = self.place.end * size_of::<f64>();
         let all = match &self.memory {
             Memory::Shared(values) => values,
-            Memory::Own(pages) => cast_slice(pages),
+            Memory::Own(pages) => cast_slice(&pages[..end]),
         };
         cast_slice(&all[self.place.clone()])
     }
@@ -98,9 +97,10 @@ impl<T: Pod> Deref for Numbers<T> {
 
 impl<T: Pod> DerefMut for Numbers<T> {
     fn deref_mut(&mut self) -> &mut [T] {
+        let end = self.place.end * size_of::<f64>();
         let all = match &mut self.memory {
             Memory::Shared(values) => values,
-            Memory::Own(pages) => cast_slice_mut(pages),
+            Memory::Own(pages) => cast_slice_mut(&mut pages[..end]),
         };
         cast_slice_mut(&mut all[self.place.clone()])
     }
@@ -112,12 +112,11 @@ mod tests {
     use crate::error::ErrorKind;
 
     #[test]
-    fn lists_begin_with_zeros_and_keep_what_is_written() {
+    fn lists_keep_what_is_written() {
         for count in [0, 1, 1000, LARGE / 8 - 1, LARGE / 8, LARGE] {
-            let mut numbers: Numbers = Numbers::zeros("a list", count).unwrap();
+            let mut numbers: Numbers = Numbers::room("a list", count).unwrap();
             assert_eq!(numbers.len(), count);
             assert_eq!(numbers.as_ptr().align_offset(VECTOR), 0, "{count}");
-            assert!(numbers.iter().all(|x| *x == 0.0));
             let places = numbers.iter_mut().enumerate();
             places.for_each(|(i, x)| *x = i as f64);
             assert!(numbers.iter().enumerate().all(|(i, x)| *x == i as f64));
@@ -126,7 +125,7 @@ mod tests {
 
     #[test]
     fn what_no_machine_has_is_refused() {
-        let error = Numbers::<f64>::zeros("a list", isize::MAX as usize / 8).unwrap_err();
+        let error = Numbers::<f64>::room("a list", isize::MAX as usize / 8).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::OutOfMemory);
         assert!(error.to_string().starts_with("a list: "), "{error}");
     }

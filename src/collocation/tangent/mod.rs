@@ -373,7 +373,7 @@ impl Tangent {
     pub fn evaluate(&mut self, equations: &mut Collocation, state: &GridState) -> Result<()> {
         let total = self.layout.coupling_at.total();
         for list in self.pairs.iter_mut().filter(|list| list.len() != total) {
-            *list = Numbers::zeros("tangents", total)?;
+            *list = Numbers::room("tangents", total)?;
         }
         equations.update_kinematics(state);
         // Not two of them at a time.

@@ -4,6 +4,7 @@ use super::BranchOptions;
 use super::course::{Course, Resultants};
 use super::determinants::Determinants;
 use super::step::Shown;
+use super::tangent::ON_THE_WAY;
 use crate::collocation::{Collocation, Decay, GridState};
 use crate::error::{ErrorKind, Result};
 use crate::fourier::{Resampling, TimeGrid};
@@ -259,15 +260,17 @@ impl<'a> Walk<'a> {
         from: &Place,
         length: f64,
     ) -> Result<std::result::Result<Stepped, NewtonReport>> {
-        self.step_near(from, length, (from, 0.0))
+        self.step_near(from, length, (from, 0.0), ON_THE_WAY)
     }
 
-    /// The same, starting at a point `near` that, which is so far along the branch from the first.
+    /// The same, starting at a point `near` that, which is so far along the branch from the first,
+    /// with a tangent of this accuracy.
     pub fn step_near(
         &mut self,
         from: &Place,
         length: f64,
         (near, passed): (&Place, f64),
+        accuracy: f64,
     ) -> Result<std::result::Result<Stepped, NewtonReport>> {
         let arc = self.arc(&from.state, &from.tangent, length);
         self.set_condition(Arc::new(arc), &from.state)?;
@@ -305,7 +308,8 @@ impl<'a> Walk<'a> {
             return Ok(Err(report));
         }
         self.newton.trusts = true;
-        let found = self.tangent(&state, Some(&from.tangent), rate.as_deref())?;
+        let guess = rate.as_deref().map(|rate| (rate, accuracy));
+        let found = self.tangent(&state, Some(&from.tangent), guess)?;
         let Some(tangent) = found else {
             let why = "no tangent of the branch could be found".to_string();
             return Ok(Err(NewtonReport::ended(Outcome::Singular, why)));

@@ -89,7 +89,7 @@ impl Assembled {
         let wanted = bordered.unwrap_or(entries);
         if self.values.len() != wanted {
             self.values = Numbers::default();
-            self.values = Numbers::zeros("the Jacobian", wanted)?;
+            self.values = Numbers::room("the Jacobian", wanted)?;
         }
         let values = &mut self.values[..entries];
         equations.jacobian(state, pattern, &mut self.tangent, values)

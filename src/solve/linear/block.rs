@@ -24,6 +24,7 @@ impl Block {
     pub fn zeros(rows: usize, columns: usize) -> Result<Self> {
         let mut block = Block::default();
         block.resize(rows, columns)?;
+        block.values.fill(0.0);
         Ok(block)
     }
 
@@ -38,7 +39,7 @@ impl Block {
             // The memory that it has first.
             *self = Block::default();
             let what = format!("a dense block of {rows} × {columns}");
-            self.values = Numbers::zeros(&what, count)?;
+            self.values = Numbers::room(&what, count)?;
         }
         (self.rows, self.columns) = (rows, columns);
         Ok(())
@@ -133,7 +134,7 @@ impl TwoBlocks {
             *self = TwoBlocks::default();
             let [(own, all), (rest, _)] = sizes;
             let what = format!("dense blocks of {own} × {all} and {rest} × {own}");
-            self.values = Numbers::zeros(&what, count)?;
+            self.values = Numbers::room(&what, count)?;
         }
         self.sizes = sizes;
         Ok(())

@@ -88,7 +88,7 @@ impl GmresWorkspace {
             self.basis = Numbers::default();
             let count = |vectors: usize| (options.restart + vectors).saturating_mul(entries);
             let room = memory::require_items(VECTORS, count(BESIDE), size_of::<f64>());
-            match room.and_then(|()| Numbers::zeros(VECTORS, count(1))) {
+            match room.and_then(|()| Numbers::room(VECTORS, count(1))) {
                 Ok(basis) => self.basis = basis,
                 Err(_) if options.restart > LEAST_KEPT => {
                     options.restart = (options.restart / 2).max(LEAST_KEPT);

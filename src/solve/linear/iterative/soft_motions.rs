@@ -287,7 +287,7 @@ fn projected(
         .collect();
     // Column by column: of one motion at one grid point.
     let width = ENTRIES * over.kinematics.len();
-    let side = || Numbers::zeros("the softest motions", width * size);
+    let side = || Numbers::room("the softest motions", width * size);
     let mut sides = [side()?, side()?, side()?];
     let mut here = vec![Here::new(count); points];
     let [by_first, by_second, motions] =
@@ -308,7 +308,8 @@ fn projected(
         .each_ref()
         .map(|side| MatRef::from_column_major_slice(side, width, size));
     let product = |by: MatRef<f64>| -> Result<Block> {
-        let mut product = Block::zeros(size, size)?;
+        let mut product = Block::default();
+        product.resize(size, size)?;
         workers.dense(|par| {
             let to = product.as_mut();
             matmul(to, Accum::Replace, by.transpose(), motions, 0.5, par);
