@@ -2,23 +2,13 @@
 //! fails, Rust ends the process.
 
 use crate::error::{Error, ErrorKind, Result};
-use crate::pages::let_go;
+use crate::pages::with_what_is_kept;
 use std::hint::black_box;
 
 /// The error where so many bytes cannot be had.
 pub(crate) fn lacking(what: &str, bytes: usize) -> Error {
     let message = format!("{what}: {bytes} bytes of memory cannot be had");
     Error::new(ErrorKind::OutOfMemory, message)
-}
-
-/// Takes memory, if need be that which is kept for lists to come.
-pub(crate) fn with_what_is_kept<T, E>(
-    mut take: impl FnMut() -> std::result::Result<T, E>,
-) -> std::result::Result<T, E> {
-    take().or_else(|_| {
-        let_go();
-        take()
-    })
 }
 
 /// Checks that so many bytes are to be had just now, and takes none of them.

@@ -2,7 +2,6 @@
 //! pages by the system takes as long as a quarter of what is done with them, and longer in virtual
 //! machines.
 
-use crate::memory::with_what_is_kept;
 use memmap2::MmapMut;
 use std::io;
 use std::ops::{Deref, DerefMut};
@@ -89,8 +88,18 @@ impl Drop for Pages {
     }
 }
 
+/// Takes memory, if need be that which is kept for lists to come.
+pub(crate) fn with_what_is_kept<T, E>(
+    mut take: impl FnMut() -> std::result::Result<T, E>,
+) -> std::result::Result<T, E> {
+    take().or_else(|_| {
+        let_go();
+        take()
+    })
+}
+
 /// Gives the system back what is kept.
-pub(crate) fn let_go() {
+fn let_go() {
     KEPT.give_back();
 }
 

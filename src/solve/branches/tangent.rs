@@ -7,10 +7,7 @@ use crate::error::Result;
 /// Accuracy of tangents, and of those by factors of a state nearby, of which nothing is better
 /// than was asked for.
 const TANGENT: [f64; 2] = [1e-9, 1e-12];
-/// Accuracy of a tangent that is guessed, once enough is added to it: of one that tells where the
-/// branch goes on, and of one that an event is sought by. How often something is added at most.
-pub(super) const ON_THE_WAY: f64 = 1e-5;
-pub(super) const SOUGHT: f64 = 1e-8;
+/// How often something is added to a tangent that is guessed, at most.
 const MOST_ADDED: usize = 3;
 /// Accuracy of what is added: enough of as much as was added to the last tangent, within bounds.
 const ADDED: [f64; 2] = [1e-8, 1e-2];

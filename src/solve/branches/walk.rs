@@ -4,7 +4,6 @@ use super::BranchOptions;
 use super::course::{Course, Resultants};
 use super::determinants::Determinants;
 use super::step::Shown;
-use super::tangent::ON_THE_WAY;
 use crate::collocation::{Collocation, Decay, GridState};
 use crate::error::{ErrorKind, Result};
 use crate::fourier::{Resampling, TimeGrid};
@@ -24,6 +23,9 @@ use std::sync::Arc;
 const ITERATION_LIMIT: usize = 8;
 /// Steps with the same matrix that are worth no other one: that takes borders, too.
 const CHORDS: i32 = 6;
+/// Accuracy of tangents that tell where the branch goes on, and of those that events are sought by.
+const ON_THE_WAY: f64 = 1e-5;
+pub(super) const SOUGHT: f64 = 1e-8;
 
 /// A solution and the direction in which the branch goes on.
 #[derive(Debug, Clone)]
