@@ -99,7 +99,7 @@ pub(crate) fn with_what_is_kept<T, E>(
 }
 
 /// Gives the system back what is kept.
-fn let_go() {
+pub(crate) fn let_go() {
     KEPT.give_back();
 }
 

@@ -10,6 +10,7 @@ const FILES: &[&str] = &[
     "last_error",
     "callback",
     "guard",
+    "memory",
     "section",
     "signal",
     "id",

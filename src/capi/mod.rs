@@ -94,6 +94,7 @@ pub mod linear_solver;
 pub mod load;
 pub mod load_contents;
 pub mod march;
+pub mod memory;
 pub mod model;
 pub mod modes;
 pub mod motion;

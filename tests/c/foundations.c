@@ -49,5 +49,6 @@ int main(void)
     every_number_has_a_name();
     message_is_copied_as_far_as_it_fits();
     pdn_set_panic_printing(0);
+    CHECK_STATUS(pdn_release_memory(), PDN_OK);
     return 0;
 }

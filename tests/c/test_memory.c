@@ -11,15 +11,21 @@
 
 #define MIB ((size_t)1 << 20)
 
-/* Leaves this process so many bytes more than it has now. */
-static void leave(size_t bytes)
+/* What this process has now. */
+static size_t bytes_taken(void)
 {
     size_t pages = 0;
-    struct rlimit limit;
     FILE *const file = fopen("/proc/self/statm", "r");
     CHECK(file != NULL && fscanf(file, "%zu", &pages) == 1);
     fclose(file);
-    limit.rlim_cur = limit.rlim_max = pages * (size_t)sysconf(_SC_PAGESIZE) + bytes;
+    return pages * (size_t)sysconf(_SC_PAGESIZE);
+}
+
+/* Leaves this process so many bytes more than it has now. */
+static void leave(size_t bytes)
+{
+    struct rlimit limit;
+    limit.rlim_cur = limit.rlim_max = bytes_taken() + bytes;
     CHECK(setrlimit(RLIMIT_AS, &limit) == 0);
 }
 
@@ -238,6 +244,22 @@ static void any_amount_of_a_grid(const char *what, int32_t by, size_t count)
     any_amount(what, try_periodic);
 }
 
+/* What is kept for other solves is given back on request, and solves do without. */
+static void kept_for_others(void)
+{
+    size_t before, after;
+    solver = PDN_LINEAR_DIRECT;
+    points = 61;
+    CHECK_STATUS(try_periodic(), PDN_OK);
+    pdn_solution_free(solution);
+    before = bytes_taken();
+    CHECK_STATUS(pdn_release_memory(), PDN_OK);
+    after = bytes_taken();
+    printf("kept: %zu bytes\n", before - after);
+    CHECK(after + MIB < before && before < after + 512 * MIB);
+    still_works();
+}
+
 /* The caller's own limit: refused with the estimate, which suffices if it is allowed. */
 static void own_limit(void)
 {
@@ -412,6 +434,7 @@ int main(void)
     options.grid_points = 5;
     CHECK_STATUS(pdn_solve_periodic(model, 2, &options, &solution), PDN_OK);
 
+    in_a_child(kept_for_others, 1024 * MIB);
     in_a_child(huge_grid, 256 * MIB);
     in_a_child(huge_start, 256 * MIB);
     in_a_child(long_march, 256 * MIB);

@@ -24,6 +24,7 @@ static void library()
     CHECK(pdn::status_name(PDN_ERR_VALUE) == "PDN_ERR_VALUE");
     CHECK(!pdn::status_message(PDN_ERR_VALUE).empty());
     pdn::set_panic_printing(true);
+    pdn::release_memory();
 }
 
 // The closed form of the oscillator, by each kind of access.

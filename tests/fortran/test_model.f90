@@ -50,6 +50,7 @@ contains
         call check(pdn_status_name(PDN_ERR_VALUE) == 'PDN_ERR_VALUE', 'status name')
         call check(len(pdn_status_message(PDN_ERR_VALUE)) > 0, 'status message')
         call pdn_set_panic_printing(1)
+        call pdn_release_memory()
     end subroutine library
 
     subroutine solution_of_oscillator()
