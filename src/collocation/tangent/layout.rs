@@ -90,6 +90,8 @@ pub(super) struct TangentLayout {
     /// Of each coupling: the stations that it is a part of, and the strain tangents of its row and
     /// column there.
     pub within: Vec<Vec<(usize, usize, usize)>>,
+    /// Couplings that no element has: of nodes without any.
+    pub bare: Vec<usize>,
 }
 
 impl TangentLayout {
@@ -108,6 +110,7 @@ impl TangentLayout {
             station_at: Told::default(),
             acting: vec![Vec::new(); system.nodes()],
             within: vec![Vec::new(); count],
+            bare: Vec::new(),
         };
         let mut begun = vec![false; count];
         for placed in system.elements() {
@@ -139,6 +142,7 @@ impl TangentLayout {
                 strains: first..layout.strains,
             });
         }
+        layout.bare = (0..count).filter(|&number| !begun[number]).collect();
         let couplings = layout.couplings.all().iter();
         layout.coupling_at = Told::new(couplings.map(|c| told(&[c.row, c.column])));
         let stations = layout.stations.iter();

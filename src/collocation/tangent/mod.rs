@@ -375,6 +375,9 @@ impl Tangent {
         let total = self.layout.coupling_at.total();
         for list in self.pairs.iter_mut().filter(|list| list.len() != total) {
             *list = Numbers::room("tangents", total)?;
+            for &coupling in &self.layout.bare {
+                list[self.layout.coupling_at.of(coupling)].fill(Matrix6::zeros());
+            }
         }
         equations.update_kinematics(state);
         // Not two of them at a time.
