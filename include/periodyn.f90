@@ -914,6 +914,12 @@ module periodyn_c
             integer(c_int32_t), value :: enabled
         end subroutine pdn_set_panic_printing
 
+        ! Gives the system back the memory that the library keeps for later solves
+        function pdn_release_memory() bind(C, name="pdn_release_memory")
+            import
+            integer(c_int32_t) :: pdn_release_memory
+        end function pdn_release_memory
+
         ! Makes a section with no stiffness, mass or damping
         subroutine pdn_section_init(section, struct_size) bind(C, name="pdn_section_init")
             import
@@ -3956,7 +3962,7 @@ module periodyn
         c_version_check => pdn_version_check, c_build_info => pdn_build_info, &
         c_status_name => pdn_status_name, c_status_message => pdn_status_message, &
         c_last_error => pdn_last_error, c_set_last_error => pdn_set_last_error, &
-        c_set_callback_error => pdn_set_callback_error, &
+        c_set_callback_error => pdn_set_callback_error, c_release_memory => pdn_release_memory, &
         c_section_set_component_damping => pdn_section_set_component_damping, &
         c_section_set_proportional_damping => pdn_section_set_proportional_damping, &
         c_shell_section_set_proportional_damping => pdn_shell_section_set_proportional_damping, &
@@ -4300,6 +4306,9 @@ module periodyn
     interface pdn_set_callback_error
         procedure set_callback_error
     end interface pdn_set_callback_error
+    interface pdn_release_memory
+        procedure release_memory
+    end interface pdn_release_memory
     interface pdn_section_set_component_damping
         procedure section_set_component_damping
     end interface pdn_section_set_component_damping
@@ -4326,27 +4335,28 @@ module periodyn
         init_stability_options, init_static_options, init_modes_options, init_mode, &
         init_march_options, init_march_diagnostics, init_shooting_options, init_multiplier, &
         init_summary, version, version_check, build_info, status_name, status_message, &
-        last_error, set_last_error, set_callback_error, section_set_component_damping, &
-        section_set_proportional_damping, shell_section_set_proportional_damping, &
-        motion_interpolate, motion_grid_kinematics, joint_frame, branch_switch_branch, &
-        branch_follow_locus, branch_continue_branch, branch_save, branch_load, branch_end, &
-        branch_report, branch_count, branch_get, branch_solution, branch_write_csv, &
-        branch_write_campbell, conditions_new, conditions_release, conditions_add_phase, &
-        conditions_add_rotation_phase, conditions_add_translation_phase, &
-        conditions_add_quantity, conditions_add_joint_coordinate, conditions_add_energy, &
-        conditions_add_momentum, conditions_add_angular_momentum, equations_new, &
-        equations_get_sizes, equations_nodes, equations_numbers, equations_state, &
-        equations_set_state, equations_residual, equations_linearise, equations_product, &
-        equations_transposed_product, equations_power_product, equations_factor, &
-        equations_precondition, equations_compliance, equations_update, equations_norms, &
-        equations_solution, model_new, model_node_count, model_joint_count, model_element_count, &
-        model_mass, model_node_frame, model_add_node, model_add_rigid_body, model_add_mass, &
-        model_add_inertia, model_prescribe, model_add_rigid_joint, model_add_revolute, &
-        model_add_prismatic, model_add_cylindrical, model_add_screw, model_add_planar, &
-        model_add_free_joint, model_add_spherical, model_add_universal, model_add_strut, &
-        model_add_joint, model_add_screw_between, model_relation_count, model_add_relation, &
-        model_add_beam_element, model_add_straight_beam, model_add_beam, model_add_beam_between, &
-        model_add_load, model_add_load_at_point, model_add_load_on_beam, model_set_gravity, &
+        last_error, set_last_error, set_callback_error, release_memory, &
+        section_set_component_damping, section_set_proportional_damping, &
+        shell_section_set_proportional_damping, motion_interpolate, motion_grid_kinematics, &
+        joint_frame, branch_switch_branch, branch_follow_locus, branch_continue_branch, &
+        branch_save, branch_load, branch_end, branch_report, branch_count, branch_get, &
+        branch_solution, branch_write_csv, branch_write_campbell, conditions_new, &
+        conditions_release, conditions_add_phase, conditions_add_rotation_phase, &
+        conditions_add_translation_phase, conditions_add_quantity, &
+        conditions_add_joint_coordinate, conditions_add_energy, conditions_add_momentum, &
+        conditions_add_angular_momentum, equations_new, equations_get_sizes, equations_nodes, &
+        equations_numbers, equations_state, equations_set_state, equations_residual, &
+        equations_linearise, equations_product, equations_transposed_product, &
+        equations_power_product, equations_factor, equations_precondition, equations_compliance, &
+        equations_update, equations_norms, equations_solution, model_new, model_node_count, &
+        model_joint_count, model_element_count, model_mass, model_node_frame, model_add_node, &
+        model_add_rigid_body, model_add_mass, model_add_inertia, model_prescribe, &
+        model_add_rigid_joint, model_add_revolute, model_add_prismatic, model_add_cylindrical, &
+        model_add_screw, model_add_planar, model_add_free_joint, model_add_spherical, &
+        model_add_universal, model_add_strut, model_add_joint, model_add_screw_between, &
+        model_relation_count, model_add_relation, model_add_beam_element, &
+        model_add_straight_beam, model_add_beam, model_add_beam_between, model_add_load, &
+        model_add_load_at_point, model_add_load_on_beam, model_set_gravity, &
         model_set_gravity_signals, model_add_distributed_load, model_add_load_at_places, &
         model_set_turning_frame, model_turning_frame, model_set_frame_advance, &
         model_frame_advance, model_set_spin, model_spin, model_set_beam_spin, model_beam_spin, &
@@ -5027,6 +5037,16 @@ contains
         status = c_set_callback_error(trim(message)//c_null_char)
         call report(status, stat, errmsg)
     end subroutine set_callback_error
+
+    ! Gives the system back the memory that the library keeps for later solves.
+    subroutine release_memory(stat, errmsg)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = c_release_memory()
+        call report(status, stat, errmsg)
+    end subroutine release_memory
 
     ! Gives a section damping with one time for each force and moment: damping = diag(seconds) *
     ! stiffness, which must have been set.

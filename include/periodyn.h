@@ -3559,6 +3559,20 @@ PDN_API
 void pdn_set_panic_printing(int32_t enabled);
 
 /**
+ * Gives the system back the memory that the library keeps for later solves.
+ *
+ * Up to 512 MiB of large lists are kept for others when a solve ends or a handle is freed, as the
+ * system takes time to give them. Solves under way and handles keep all that they have.
+ *
+ * @return PDN_OK
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_release_memory(void);
+
+/**
  * Makes a section with no stiffness, mass or damping. Use it as `PDN_INIT(pdn_section, &section)`.
  *
  * @param section  the section; not NULL

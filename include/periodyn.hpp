@@ -3978,6 +3978,12 @@ inline void set_panic_printing(bool enabled)
     pdn_set_panic_printing(detail::in(enabled));
 }
 
+/** Gives the system back the memory that the library keeps for later solves. */
+inline void release_memory()
+{
+    detail::check(pdn_release_memory());
+}
+
 /** Finds the periodic response of a model directly, by Fourier spectral collocation. */
 inline Solution solve_periodic(const Model &model, double period, PeriodicOptions options = {})
 {

@@ -6947,6 +6947,15 @@ def status_name(status):
     return ffi.string(lib.pdn_status_name(status)).decode()
 
 
+def release_memory():
+    """Gives the system back the memory that the library keeps for later solves.
+
+    Up to 512 MiB of large lists are kept for others when a solve ends or a handle is freed, as
+    the system takes time to give them. Solves under way and handles keep all that they have.
+    """
+    call(lib.pdn_release_memory)
+
+
 def motion_interpolate(period, positions, rotations, times):
     """Interpolates a periodic motion given at N equispaced times, by dual polar decomposition.
 

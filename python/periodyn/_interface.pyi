@@ -1704,6 +1704,9 @@ def build_info() -> str: ...
 def status_name(status: int) -> str: ...
 
 
+def release_memory() -> None: ...
+
+
 def motion_interpolate(
     period: float,
     positions: ArrayLike,
