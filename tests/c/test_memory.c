@@ -249,7 +249,7 @@ static void kept_for_others(void)
 {
     size_t before, after;
     solver = PDN_LINEAR_DIRECT;
-    points = 61;
+    points = 31;
     CHECK_STATUS(try_periodic(), PDN_OK);
     pdn_solution_free(solution);
     before = bytes_taken();
