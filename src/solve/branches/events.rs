@@ -4,7 +4,7 @@ use super::augmented::Located;
 use super::event_equation::EventEquation;
 use super::multipliers::Multipliers;
 use super::step::Shown;
-use super::walk::{Place, SOUGHT, Stepped, Walk, found_or_none};
+use super::walk::{Place, Stepped, Walk, found_or_none};
 use super::{Event, PointStability};
 use crate::collocation::{Antiperiodic, Spectral};
 use crate::error::Result;
@@ -267,7 +267,7 @@ impl Walk<'_> {
                 None if length - at < at => (to, length),
                 None => (from, 0.0),
             };
-            let Ok(stepped) = self.step_near(from, at, near, SOUGHT)? else {
+            let Ok(stepped) = self.step_near(from, at, near)? else {
                 break;
             };
             let tests = self.test(&stepped.to, sought)?;

@@ -7,7 +7,9 @@ use crate::error::Result;
 /// Accuracy of tangents, and of those by factors of a state nearby, of which nothing is better
 /// than was asked for.
 const TANGENT: [f64; 2] = [1e-9, 1e-12];
-/// How often something is added to a tangent that is guessed, at most.
+/// Accuracy of a tangent that is guessed, once enough is added to it, and how often that is done at
+/// most.
+const ENOUGH: f64 = 1e-8;
 const MOST_ADDED: usize = 3;
 /// Accuracy of what is added: enough of as much as was added to the last tangent, within bounds.
 const ADDED: [f64; 2] = [1e-8, 1e-2];
@@ -29,12 +31,12 @@ impl Walk<'_> {
     }
 
     /// The scaled direction at a solution that only the last condition is not met along; by factors
-    /// of a state nearby, if there are some, and from a guess that becomes so accurate.
+    /// of a state nearby, if there are some, and from a guess.
     fn direction(
         &mut self,
         state: &GridState,
         nearby: bool,
-        guess: Option<(&[f64], f64)>,
+        guess: Option<&[f64]>,
     ) -> Result<Option<Vec<f64>>> {
         let newton = &mut self.newton;
         let regular = match nearby {
@@ -47,8 +49,8 @@ impl Walk<'_> {
         if !regular {
             return Ok(None);
         }
-        if let Some((guess, enough)) = guess.filter(|_| newton.linear.multiplies())
-            && let Some(rows) = self.corrected(guess, enough)?
+        if let Some(guess) = guess.filter(|_| newton.linear.multiplies())
+            && let Some(rows) = self.corrected(guess)?
         {
             return Ok(Some(rows));
         }
@@ -63,7 +65,7 @@ impl Walk<'_> {
 
     /// The same where the equations are linearised, by iteration from a guess; none if that does
     /// not lead there.
-    fn corrected(&mut self, guess: &[f64], enough: f64) -> Result<Option<Vec<f64>>> {
+    fn corrected(&mut self, guess: &[f64]) -> Result<Option<Vec<f64>>> {
         let newton = &mut self.newton;
         let scales = newton.equations.column_scale();
         let scaled = guess.iter().zip(scales).map(|(x, scale)| x / scale);
@@ -78,7 +80,7 @@ impl Walk<'_> {
             if let Some(last) = rest.last_mut() {
                 *last = 0.0;
             }
-            let accuracy = (enough / expected).clamp(ADDED[0], ADDED[1]);
+            let accuracy = (ENOUGH / expected).clamp(ADDED[0], ADDED[1]);
             if !newton.solve_linear(&mut rest, accuracy)? {
                 return Ok(None);
             }
@@ -89,7 +91,7 @@ impl Walk<'_> {
                 self.added = added;
             }
             expected = accuracy * added;
-            if expected <= enough {
+            if expected <= ENOUGH {
                 return Ok(Some(rows));
             }
             if added.is_nan() {
@@ -99,13 +101,13 @@ impl Walk<'_> {
         Ok(None)
     }
 
-    /// The tangent at a solution, along the one `before` if there is one, from a guess that becomes
-    /// so accurate; none if the equations are singular.
+    /// The tangent at a solution, along the one `before` if there is one, from a guess; none if the
+    /// equations are singular.
     pub fn tangent(
         &mut self,
         state: &GridState,
         before: Option<&[f64]>,
-        guess: Option<(&[f64], f64)>,
+        guess: Option<&[f64]>,
     ) -> Result<Option<Vec<f64>>> {
         let near = std::mem::take(&mut self.near);
         let with_present_factors = match near {

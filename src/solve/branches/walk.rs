@@ -23,9 +23,6 @@ use std::sync::Arc;
 const ITERATION_LIMIT: usize = 8;
 /// Steps with the same matrix that are worth no other one: that takes borders, too.
 const CHORDS: i32 = 6;
-/// Accuracy of tangents that tell where the branch goes on, and of those that events are sought by.
-const ON_THE_WAY: f64 = 1e-5;
-pub(super) const SOUGHT: f64 = 1e-8;
 
 /// A solution and the direction in which the branch goes on.
 #[derive(Debug, Clone)]
@@ -262,17 +259,15 @@ impl<'a> Walk<'a> {
         from: &Place,
         length: f64,
     ) -> Result<std::result::Result<Stepped, NewtonReport>> {
-        self.step_near(from, length, (from, 0.0), ON_THE_WAY)
+        self.step_near(from, length, (from, 0.0))
     }
 
-    /// The same, starting at a point `near` that, which is so far along the branch from the first,
-    /// with a tangent of this accuracy.
+    /// The same, starting at a point `near` that, which is so far along the branch from the first.
     pub fn step_near(
         &mut self,
         from: &Place,
         length: f64,
         (near, passed): (&Place, f64),
-        accuracy: f64,
     ) -> Result<std::result::Result<Stepped, NewtonReport>> {
         let arc = self.arc(&from.state, &from.tangent, length);
         self.set_condition(Arc::new(arc), &from.state)?;
@@ -310,8 +305,7 @@ impl<'a> Walk<'a> {
             return Ok(Err(report));
         }
         self.newton.trusts = true;
-        let guess = rate.as_deref().map(|rate| (rate, accuracy));
-        let found = self.tangent(&state, Some(&from.tangent), guess)?;
+        let found = self.tangent(&state, Some(&from.tangent), rate.as_deref())?;
         let Some(tangent) = found else {
             let why = "no tangent of the branch could be found".to_string();
             return Ok(Err(NewtonReport::ended(Outcome::Singular, why)));
