@@ -250,18 +250,25 @@ impl DualMatrix {
     /// sparing the zeros.
     #[inline(always)]
     pub fn add_product_to(&self, m: &Matrix6<f64>, sum: &mut Matrix6<f64>) {
-        let (m, sum) = (&m.data.0, &mut sum.data.0);
+        let sum = &mut sum.data.0;
         for j in 0..3 {
-            // Few numbers at a time, which need not be stored on the way.
-            let [mut left, mut right] = [sum[j], sum[j + 3]];
-            for i in 0..3 {
-                let (p, d) = (self.primal[(i, j)], self.dual[(i, j)]);
-                for row in 0..6 {
-                    left[row] += m[i][row] * p;
-                    right[row] += m[i][row] * d + m[i + 3][row] * p;
-                }
+            let mut columns = [sum[j], sum[j + 3]];
+            self.add_columns_of_product(m, j, &mut columns);
+            [sum[j], sum[j + 3]] = columns;
+        }
+    }
+
+    /// Adds columns `j` and `j + 3` of the product of `m` and the matrix that acts on twists,
+    /// `m [A A°; 0 A]`, to these, sparing the zeros.
+    #[inline(always)]
+    pub fn add_columns_of_product(&self, m: &Matrix6<f64>, j: usize, sums: &mut [[f64; 6]; 2]) {
+        let (m, [left, right]) = (&m.data.0, sums);
+        for i in 0..3 {
+            let (p, d) = (self.primal[(i, j)], self.dual[(i, j)]);
+            for row in 0..6 {
+                left[row] += m[i][row] * p;
+                right[row] += m[i][row] * d + m[i + 3][row] * p;
             }
-            [sum[j], sum[j + 3]] = [left, right];
         }
     }
 

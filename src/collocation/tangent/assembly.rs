@@ -3,7 +3,6 @@
 //! See docs/theory.md, section 5.3.
 
 use super::Tangent;
-use super::between_times::BetweenTimes;
 use crate::collocation::pattern::Pattern;
 use crate::collocation::problem::Collocation;
 use crate::collocation::state::GridState;
@@ -204,15 +203,24 @@ impl Assembly<'_> {
         }
         for k in 0..points {
             let (first, stride) = self.pattern.pair_place(pair, k);
-            let columns = BetweenTimes {
-                tangents: [damping, mass],
-                gammas: &gammas[k * points..][..points],
-                rest: (self.power == 0).then(|| (k, &stiffness[k])),
-                scale: &self.scale,
-                values: &mut values[first..],
-                stride,
-            };
-            columns.write();
+            for (l, [gamma_v, gamma_a]) in gammas[k * points..][..points].iter().enumerate() {
+                let rest = (l == k && self.power == 0).then(|| &stiffness[l]);
+                for j in 0..3 {
+                    // Few numbers at a time, which need not be stored on the way.
+                    let mut columns = match rest {
+                        Some(rest) => [rest.data.0[j], rest.data.0[j + 3]],
+                        None => [[0.0; 6]; 2],
+                    };
+                    gamma_a.add_columns_of_product(&mass[l], j, &mut columns);
+                    gamma_v.add_columns_of_product(&damping[l], j, &mut columns);
+                    for (component, column) in [j, j + 3].into_iter().zip(&columns) {
+                        let to = &mut values[first + component * stride + 6 * l..][..6];
+                        let entries = column.iter().zip(&self.scale.data.0[component]);
+                        let entries = to.iter_mut().zip(entries);
+                        entries.for_each(|(to, (entry, scale))| *to = entry * scale);
+                    }
+                }
+            }
         }
     }
 

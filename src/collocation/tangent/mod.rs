@@ -12,7 +12,6 @@
 //! where `Bᵀ` takes resultants to forces and `L` motions to resultants.
 
 mod assembly;
-mod between_times;
 mod evaluation;
 mod layout;
 mod like_blades;
