@@ -234,6 +234,11 @@ impl Pattern {
             .collect()
     }
 
+    /// Number of grid points, at each of which a group has as many unknowns.
+    pub fn points(&self) -> usize {
+        self.points
+    }
+
     /// Number of groups that are nodes.
     pub fn node_groups(&self) -> usize {
         self.nodes.len()

@@ -12,7 +12,7 @@ use crate::solve::linear::borders::Borders;
 use crate::solve::linear::cost::DirectCost;
 use crate::solve::linear::dense::{largest, probe};
 use crate::solve::linear::diagnosis::Singularity;
-use crate::solve::linear::direct::DirectSolver;
+use crate::solve::linear::direct::{DirectSolver, Structure};
 use crate::solve::linear::iterative::IterativeRecord;
 use crate::solve::linear::solver::{ESTIMATE, LinearSolver, Side};
 use crate::solve::report::{Timings, timed};
@@ -68,8 +68,8 @@ impl Factors {
         let mut pattern = LikeBladesPattern::new(system, &tangent, left);
         let groups = pattern.groups().to_vec();
         let panels = pattern.take_panels();
-        let groups = (groups, pattern.node_groups());
-        let solver = DirectSolver::of_panels(groups, panels, equations.workers().clone());
+        let structure = Structure::new(groups, pattern.node_groups(), panels);
+        let solver = DirectSolver::of_structure(structure, equations.workers().clone());
         Factors {
             tangent,
             values: Vec::new(),

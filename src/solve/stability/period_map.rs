@@ -222,6 +222,8 @@ impl PeriodMap {
         values.resize(self.pattern.entries(), 0.0);
         equations.jacobian(&self.state, &self.pattern, tangent, values)?;
         let regular = map.factor(&self.common, &self.tangent, &self.rule)?;
+        // What it has found out the next ones are told.
+        self.solver = map.solver().another();
         Ok(regular.then_some(map))
     }
 }

@@ -88,6 +88,11 @@ impl StepMap {
         }
     }
 
+    /// What has factored it.
+    pub fn solver(&self) -> &DirectSolver {
+        &self.solver
+    }
+
     /// Factors the matrix of `values`, at the state of `tangent`. `false` if it is singular.
     ///
     /// # Errors

@@ -1,6 +1,7 @@
 //! Which fronts a matrix is eliminated by, and what enters each.
 
-use crate::collocation::Panel;
+use super::parts::{Divided, Parts, Piece};
+use super::structure::Structure;
 use crate::solve::linear::front::{Front, elimination_work};
 use crate::solve::linear::ordering::{FrontPlan, with_last};
 use crate::solve::linear::two_branches::plan_for;
@@ -8,66 +9,68 @@ use crate::workers::parts;
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-/// What does not depend on the values of a matrix.
+/// Multiply-adds of a factorisation that are worth a look for parts that do not act on each other.
+const WORTH_PARTS: f64 = 1e6;
+
+/// What depends on which entries of a matrix are zero, and not on their values.
 #[derive(Debug)]
 pub(super) struct Analysis {
+    /// Groups that are eliminated: those of the matrix, or parts of them.
     pub groups: Vec<Range<usize>>,
+    /// Place of each unknown among those of the groups, where these are divided.
+    pub places: Option<Vec<usize>>,
     pub plans: Vec<FrontPlan>,
     /// Entries of the matrix that enter each front.
-    pub panels: Vec<Vec<Panel>>,
-    /// Those in the rows of each group.
-    pub rows: Vec<Vec<Panel>>,
+    pub pieces: Vec<Vec<Piece>>,
     /// Of each front with all those that lead to it, which come just before it: multiply-adds, and
     /// their number.
     pub subtrees: Vec<(f64, usize)>,
+    /// Which unknowns act on each other, as far as matrices have told; none if they may all.
+    pub parts: Option<Parts>,
 }
 
 impl Analysis {
-    /// Of unknowns in groups, of which the first are nodes, with these entries, for so many
-    /// threads.
-    pub fn new(
-        (groups, node_groups): (Vec<Range<usize>>, usize),
-        panels: Vec<Panel>,
-        threads: usize,
-    ) -> Self {
-        let plans = Self::plans((&groups, node_groups), &panels, threads);
-        Self::planned(groups, plans, panels)
-    }
-
-    /// The same, with a group more, which these entries `between` couple with all others.
-    pub fn bordered(
-        (mut groups, node_groups): (Vec<Range<usize>>, usize),
-        mut panels: Vec<Panel>,
-        (last, between): (Range<usize>, Vec<Panel>),
-        threads: usize,
-    ) -> Self {
-        let plans = Self::plans((&groups, node_groups), &panels, threads);
-        let plans = with_last(plans, groups.len());
-        groups.push(last);
-        panels.extend(between);
-        Self::planned(groups, plans, panels)
-    }
-
-    fn plans(
-        (groups, node_groups): (&[Range<usize>], usize),
-        panels: &[Panel],
-        threads: usize,
-    ) -> Vec<FrontPlan> {
-        let mut coupled = vec![BTreeSet::new(); groups.len()];
-        for panel in panels {
-            coupled[panel.row.0].insert(panel.column.0);
-            coupled[panel.column.0].insert(panel.row.0);
+    /// Of any matrix of this structure, for so many threads.
+    pub fn new(structure: &Structure, threads: usize) -> Self {
+        let mut analysis = Self::planned(structure, Divided::whole(structure), threads);
+        if structure.instants > 1 && analysis.work() > WORTH_PARTS {
+            analysis.parts = Some(Parts::new(structure));
         }
-        let sizes: Vec<usize> = groups.iter().map(ExactSizeIterator::len).collect();
-        plan_for(threads, &sizes, &coupled, node_groups)
+        analysis
     }
 
-    fn planned(groups: Vec<Range<usize>>, plans: Vec<FrontPlan>, all_panels: Vec<Panel>) -> Self {
+    /// Whether no matrix has told yet which unknowns act on each other.
+    pub fn is_undivided(&self) -> bool {
+        self.parts.is_some() && self.places.is_none()
+    }
+
+    /// Of those that have what these `values` couple coupled, too.
+    pub fn coupled(&self, structure: &Structure, values: &[f64], threads: usize) -> Option<Self> {
+        let mut parts = self.parts.clone()?;
+        parts.join_coupled(structure, values);
+        let whole = parts.are_whole();
+        let divided = (!whole).then(|| Divided::new(structure, &parts)).flatten();
+        let parts = divided.is_some().then_some(parts);
+        let divided = divided.unwrap_or_else(|| Divided::whole(structure));
+        Some(Analysis {
+            parts,
+            ..Self::planned(structure, divided, threads)
+        })
+    }
+
+    fn planned(structure: &Structure, divided: Divided, threads: usize) -> Self {
+        let Divided {
+            groups,
+            nodes,
+            pieces: all_pieces,
+            places,
+        } = divided;
         let follows = |end: usize, group: &Range<usize>| (group.start == end).then_some(group.end);
         debug_assert!(
             groups.iter().try_fold(0, follows).is_some(),
             "a gap between groups"
         );
+        let plans = plans(structure, (&groups, nodes), &all_pieces, threads);
         let mut front_of = vec![0; groups.len()];
         for (f, front) in plans.iter().enumerate() {
             for &g in &front.own {
@@ -75,11 +78,9 @@ impl Analysis {
             }
         }
         // An entry enters the front that is first to eliminate its row or column.
-        let mut panels = vec![Vec::new(); plans.len()];
-        let mut rows = vec![Vec::new(); groups.len()];
-        for panel in all_panels {
-            rows[panel.row.0].push(panel.clone());
-            panels[front_of[panel.row.0].min(front_of[panel.column.0])].push(panel);
+        let mut pieces = vec![Vec::new(); plans.len()];
+        for piece in all_pieces {
+            pieces[front_of[piece.row.0].min(front_of[piece.column.0])].push(piece);
         }
         let size = |own: &[usize]| own.iter().map(|&g| groups[g].len()).sum::<usize>();
         let mut subtrees: Vec<(f64, usize)> = Vec::with_capacity(plans.len());
@@ -90,10 +91,11 @@ impl Analysis {
         }
         Analysis {
             groups,
+            places,
             plans,
-            panels,
-            rows,
+            pieces,
             subtrees,
+            parts: None,
         }
     }
 
@@ -121,5 +123,30 @@ impl Analysis {
 
     pub fn size_of(&self, groups: &[usize]) -> usize {
         groups.iter().map(|&g| self.groups[g].len()).sum()
+    }
+}
+
+/// Fronts for groups, of which the first are nodes, with these entries; that of borders, if any,
+/// comes last.
+fn plans(
+    structure: &Structure,
+    (groups, nodes): (&[Range<usize>], usize),
+    pieces: &[Piece],
+    threads: usize,
+) -> Vec<FrontPlan> {
+    let count = groups.len() - usize::from(structure.is_bordered);
+    let mut coupled = vec![BTreeSet::new(); count];
+    for piece in pieces {
+        let (row, column) = (piece.row.0, piece.column.0);
+        if row < count && column < count {
+            coupled[row].insert(column);
+            coupled[column].insert(row);
+        }
+    }
+    let sizes: Vec<usize> = groups[..count].iter().map(ExactSizeIterator::len).collect();
+    let plans = plan_for(threads, &sizes, &coupled, nodes);
+    match structure.is_bordered {
+        true => with_last(plans, count),
+        false => plans,
     }
 }

@@ -15,6 +15,8 @@ pub struct Columns {
     reduced: Mat<f64>,
     /// Those of a front's boundary.
     boundary: Mat<f64>,
+    /// A right side in the order of elimination.
+    ordered: Vec<f64>,
 }
 
 impl Default for Columns {
@@ -22,6 +24,7 @@ impl Default for Columns {
         Columns {
             reduced: Mat::new(),
             boundary: Mat::new(),
+            ordered: Vec::new(),
         }
     }
 }
@@ -48,6 +51,10 @@ impl DirectSolver {
             return Ok(false);
         }
         let (size, count) = (rhs.nrows(), rhs.ncols());
+        let Columns { ordered, .. } = memory;
+        for j in 0..count {
+            self.put_in_order(column_mut(&mut rhs, j), ordered);
+        }
         let beyond = self.fronts.iter().map(Front::left_over);
         memory.resize(size, beyond.max().unwrap_or(0), count);
         let (mut reduced, mut boundary) = (
@@ -84,6 +91,10 @@ impl DirectSolver {
             subtract_matmul(y.as_mut(), beyond, local.as_ref(), Par::Seq, &self.workers)?;
             solve_upper(factors, y.as_mut(), Par::Seq, &self.workers)?;
             self.scatter_columns(&front.columns, &[], y, rhs.as_mut());
+        }
+        let Columns { ordered, .. } = memory;
+        for j in 0..count {
+            self.put_back(column_mut(&mut rhs, j), ordered);
         }
         let is_finite = |j: usize| rhs.as_ref().col(j).iter().all(|x| x.is_finite());
         Ok((0..count).all(is_finite))

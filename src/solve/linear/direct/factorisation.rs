@@ -8,6 +8,7 @@ use crate::solve::linear::front::{Front, FrontWorkspace, LARGE_FRONT, NoPivot};
 use crate::workers::{Spare, Workers, join};
 use faer::Par;
 use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Most forks of the tree of fronts, one above the other, where threads part: each takes memory on
 /// the stack.
@@ -22,6 +23,8 @@ pub(super) struct Factorisation<'a> {
     /// Memory for what fronts leave.
     remainders: &'a SpareBlocks,
     workers: &'a Workers,
+    /// Whether the matrix couples parts that were taken not to act on each other.
+    is_coupled: AtomicBool,
 }
 
 impl<'a> Factorisation<'a> {
@@ -38,7 +41,14 @@ impl<'a> Factorisation<'a> {
             workspaces: Spare::default(),
             remainders,
             workers,
+            is_coupled: AtomicBool::new(false),
         }
+    }
+
+    /// Whether the matrix couples parts that were taken not to act on each other: what was factored
+    /// is another one.
+    pub fn is_coupled(&self) -> bool {
+        self.is_coupled.load(Ordering::Relaxed)
     }
 
     /// Factors all fronts. `false` if the matrix is singular.
@@ -152,7 +162,8 @@ impl<'a> Factorisation<'a> {
             size += analysis.groups[g].len();
         }
         let assemble = |front: &mut Front, place: &[usize]| {
-            let sum = Sum::new((analysis, self.values), f, (first, &*before), place);
+            let placed = (place, &self.is_coupled);
+            let sum = Sum::new((analysis, self.values), f, (first, &*before), placed);
             front.resize(front.rows.len(), size - front.rows.len(), self.remainders)?;
             sum.write(front, (parallelism, self.workers))
         };

@@ -5,14 +5,17 @@
 mod analysis;
 mod columns;
 mod factorisation;
+mod parts;
+mod structure;
 mod substitution;
 mod sum;
 mod with_borders;
 
 pub use columns::Columns;
+pub(crate) use structure::Structure;
 pub(crate) use with_borders::WithBorders;
 
-use crate::collocation::{Panel, Pattern};
+use crate::collocation::Pattern;
 use crate::error::Result;
 use crate::solve::linear::block::SpareBlocks;
 use crate::solve::linear::cost::DirectCost;
@@ -26,7 +29,6 @@ use crate::solve::linear::triangles::{
 };
 use crate::work::{OF_FACTORS, SUBSTITUTION};
 use crate::workers::Workers;
-use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 use substitution::Division;
 
@@ -53,6 +55,7 @@ const STANDS: f64 = 0.5;
 /// Direct solver for matrices of one pattern.
 #[derive(Debug)]
 pub struct DirectSolver {
+    structure: Arc<Structure>,
     analysis: Arc<Analysis>,
     fronts: Vec<Front>,
     /// Memory for what fronts leave to others.
@@ -74,19 +77,13 @@ impl DirectSolver {
     /// Orders and analyses matrices of `pattern`, for these threads, which share the work of
     /// factorisations and substitutions.
     pub fn new(pattern: &Pattern, workers: Workers) -> Self {
-        let groups = (pattern.groups(), pattern.node_groups());
-        Self::of_panels(groups, pattern.panels(), workers)
+        Self::of_structure(Structure::of(pattern), workers)
     }
 
-    /// The same for matrices of unknowns in groups, of which the first are nodes, with these
-    /// entries.
-    pub fn of_panels(
-        groups: (Vec<Range<usize>>, usize),
-        panels: Vec<Panel>,
-        workers: Workers,
-    ) -> Self {
-        let analysis = Analysis::new(groups, panels, workers.threads());
-        Self::with(Arc::new(analysis), workers)
+    /// The same for matrices of this structure.
+    pub(crate) fn of_structure(structure: Structure, workers: Workers) -> Self {
+        let analysis = Analysis::new(&structure, workers.threads());
+        Self::with((Arc::new(structure), Arc::new(analysis)), workers)
     }
 
     /// What a factorisation takes, as planned.
@@ -98,13 +95,15 @@ impl DirectSolver {
         DirectCost::of_fronts(fronts)
     }
 
-    /// Another one for matrices of the same pattern.
+    /// Another one for matrices of the same pattern, which is told what acts on what.
     pub fn another(&self) -> Self {
-        Self::with(self.analysis.clone(), self.workers.clone())
+        let analysed = (self.structure.clone(), self.analysis.clone());
+        Self::with(analysed, self.workers.clone())
     }
 
-    fn with(analysis: Arc<Analysis>, workers: Workers) -> Self {
+    fn with((structure, analysis): (Arc<Structure>, Arc<Analysis>), workers: Workers) -> Self {
         DirectSolver {
+            structure,
             fronts: analysis.plans.iter().map(|_| Front::empty()).collect(),
             analysis,
             remainders: SpareBlocks::default(),
@@ -138,6 +137,30 @@ impl DirectSolver {
     }
 
     fn factor_fronts(&mut self, values: &[f64]) -> Result<bool> {
+        if self.analysis.is_undivided() {
+            self.divide(values);
+        }
+        let regular = self.factor_parts(values)?;
+        match regular {
+            Some(regular) => Ok(regular),
+            None => {
+                self.divide(values);
+                Ok(self.factor_parts(values)? == Some(true))
+            }
+        }
+    }
+
+    /// Divides groups into parts that this matrix, and those before, do not couple.
+    fn divide(&mut self, values: &[f64]) {
+        let threads = self.workers.threads();
+        if let Some(analysis) = self.analysis.coupled(&self.structure, values, threads) {
+            self.fronts = analysis.plans.iter().map(|_| Front::empty()).collect();
+            self.analysis = Arc::new(analysis);
+        }
+    }
+
+    /// Factors all parts; none if the matrix couples them.
+    fn factor_parts(&mut self, values: &[f64]) -> Result<Option<bool>> {
         let analysis = &self.analysis;
         self.workers.work().spend(OF_FACTORS * analysis.work());
         let workers = match analysis.work() < LARGE_FRONT {
@@ -145,7 +168,9 @@ impl DirectSolver {
             false => self.workers.clone(),
         };
         let shared = (&self.remainders, &workers);
-        Factorisation::new(analysis, values, self.smallest_pivot, shared).run(&mut self.fronts)
+        let factorisation = Factorisation::new(analysis, values, self.smallest_pivot, shared);
+        let regular = factorisation.run(&mut self.fronts)?;
+        Ok((!factorisation.is_coupled()).then_some(regular))
     }
 
     /// Size of the largest entry of the matrix that was factored.
@@ -175,9 +200,11 @@ impl DirectSolver {
     /// Solves the transposed equations in place. `false` if there are no factors or the result is
     /// not finite.
     pub fn solve_transposed(&self, rhs: &mut [f64]) -> bool {
-        if !self.factored {
-            return false;
-        }
+        self.factored && self.in_order(rhs, |rhs| self.substitute_transposed(rhs))
+    }
+
+    /// The same for unknowns in the order of the groups that are eliminated.
+    fn substitute_transposed(&self, rhs: &mut [f64]) -> bool {
         let mut reduced = Vec::with_capacity(rhs.len());
         let mut local = Vec::new();
         for (plan, front) in self.analysis.plans.iter().zip(&self.fronts) {
@@ -319,6 +346,37 @@ impl DirectSolver {
             .spend(SUBSTITUTION * values.len() as f64);
         self.subtract_panels(values, x, &mut rest);
         rest
+    }
+
+    /// Changes a vector in the order of the groups that are eliminated.
+    fn in_order(&self, x: &mut [f64], change: impl FnOnce(&mut [f64]) -> bool) -> bool {
+        let mut ordered = Vec::new();
+        self.put_in_order(x, &mut ordered);
+        let changed = change(x);
+        self.put_back(x, &mut ordered);
+        changed
+    }
+
+    /// Puts a vector in the order of the groups that are eliminated.
+    fn put_in_order(&self, x: &mut [f64], ordered: &mut Vec<f64>) {
+        if let Some(places) = &self.analysis.places {
+            ordered.resize(x.len(), 0.0);
+            for (&place, x) in places.iter().zip(&*x) {
+                ordered[place] = *x;
+            }
+            x.copy_from_slice(ordered);
+        }
+    }
+
+    /// The reverse.
+    fn put_back(&self, x: &mut [f64], ordered: &mut Vec<f64>) {
+        if let Some(places) = &self.analysis.places {
+            ordered.clear();
+            ordered.extend_from_slice(x);
+            for (&place, x) in places.iter().zip(x) {
+                *x = ordered[place];
+            }
+        }
     }
 
     /// Entries of the vector `from` at some places, and those of some groups.

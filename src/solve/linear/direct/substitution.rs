@@ -32,9 +32,11 @@ struct Subtree {
 impl DirectSolver {
     /// Solves in place. `false` if there are no factors or the result is not finite.
     pub fn solve(&self, rhs: &mut [f64]) -> bool {
-        if !self.factored {
-            return false;
-        }
+        self.factored && self.in_order(rhs, |rhs| self.substitute(rhs))
+    }
+
+    /// The same for unknowns in the order of the groups that are eliminated.
+    fn substitute(&self, rhs: &mut [f64]) -> bool {
         let read = self.size_of_factors();
         self.workers.work().spend(SUBSTITUTION * read as f64);
         let workers = for_reading(&self.workers, read);
@@ -151,6 +153,9 @@ impl DirectSolver {
             let first = reduced.len();
             reduced.extend(front.rows.iter().map(|&row| rhs[row]));
             let y = &mut reduced[first..];
+            if is_zero(y) {
+                continue;
+            }
             let (upper, below) = (front.upper().each_column(), front.lower().each_column());
             lower(workers, upper, y);
             self.gather(&front.delayed_rows, &plan.boundary, rhs, &mut local);
@@ -177,9 +182,11 @@ impl DirectSolver {
             let first = reduced.len() - count;
             let y = &mut reduced[first..];
             self.gather(&front.delayed_columns, &plan.boundary, rhs, &mut local);
-            let of_front = front.upper().each_column();
-            subtract(workers, y, |j| of_front(count + j), &local);
-            upper(workers, of_front, y);
+            if !(is_zero(y) && is_zero(&local)) {
+                let of_front = front.upper().each_column();
+                subtract(workers, y, |j| of_front(count + j), &local);
+                upper(workers, of_front, y);
+            }
             for (&column, x) in front.columns.iter().zip(&*y) {
                 rhs[column] = *x;
             }
@@ -189,13 +196,14 @@ impl DirectSolver {
 
     /// `y −= A x` over all panels of a matrix, rows shared among threads.
     pub(super) fn subtract_panels(&self, values: &[f64], x: &[f64], y: &mut [f64]) {
-        let analysis = &self.analysis;
-        let sizes = analysis.groups.iter().map(ExactSizeIterator::len);
+        let structure = &self.structure;
+        let sizes = structure.groups.iter().map(ExactSizeIterator::len);
         let mut groups: Vec<_> = parts(y, sizes).collect();
         let workers = for_reading(&self.workers, values.len());
         workers.each(&mut groups, |g, y| {
-            for panel in &analysis.rows[g] {
-                let column = analysis.groups[panel.column.0].start + panel.column.1;
+            for &panel in &structure.rows[g] {
+                let panel = &structure.panels[panel];
+                let column = structure.groups[panel.column.0].start + panel.column.1;
                 subtract_product(
                     &mut y[panel.row.1..][..panel.rows],
                     |j| &values[panel.value + j * panel.stride..][..panel.rows],
@@ -204,6 +212,11 @@ impl DirectSolver {
             }
         });
     }
+}
+
+/// Whether there is nothing to do for a right side, as out of the plane of a planar motion.
+fn is_zero(x: &[f64]) -> bool {
+    x.iter().all(|x| *x == 0.0)
 }
 
 /// What it takes to go through fronts, by the numbers that are read.

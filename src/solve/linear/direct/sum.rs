@@ -1,18 +1,18 @@
 //! A front summed up from the matrix and what is left of the fronts that lead to it, in strips of
 //! columns side by side.
 
-use crate::collocation::Panel;
 use crate::error::Result;
 use crate::solve::linear::block::column_mut;
 use crate::solve::linear::blocks::strips;
 use crate::solve::linear::dense::largest;
 use crate::solve::linear::direct::analysis::Analysis;
+use crate::solve::linear::direct::parts::Piece;
 use crate::solve::linear::front::Front;
 use crate::workers::Workers;
 use faer::{MatMut, Par};
 use std::iter::once;
 use std::ops::Range;
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 /// Numbers of a strip.
 const STRIP: usize = 1 << 16;
@@ -27,12 +27,14 @@ struct Child<'a> {
 /// What a front is the sum of.
 pub(super) struct Sum<'a> {
     values: &'a [f64],
-    panels: &'a [Panel],
+    pieces: &'a [Piece],
     /// Where each group begins.
     place: &'a [usize],
     children: Vec<Child<'a>>,
     /// Bits of the largest entry of the matrix: those of what is not negative are in order.
     largest: AtomicU64,
+    /// Whether the matrix couples what was taken to be parts that do not act on each other.
+    is_coupled: &'a AtomicBool,
 }
 
 impl<'a> Sum<'a> {
@@ -42,7 +44,7 @@ impl<'a> Sum<'a> {
         (analysis, values): (&'a Analysis, &'a [f64]),
         f: usize,
         (first, fronts): (usize, &'a [Front]),
-        place: &'a [usize],
+        (place, is_coupled): (&'a [usize], &'a AtomicBool),
     ) -> Self {
         let plan = &analysis.plans[f];
         // Behind the own groups comes what the fronts that lead here have delayed.
@@ -58,10 +60,11 @@ impl<'a> Sum<'a> {
         });
         Sum {
             values,
-            panels: &analysis.panels[f],
+            pieces: &analysis.pieces[f],
             place,
             children: children.collect(),
             largest: AtomicU64::new(0),
+            is_coupled,
         }
     }
 
@@ -106,17 +109,21 @@ impl<'a> Sum<'a> {
                 work(&mut to[row..][..length]);
             };
         let mut most = 0.0f64;
-        for panel in self.panels {
-            let row = self.place[panel.row.0] + panel.row.1;
-            let start = self.place[panel.column.0] + panel.column.1;
-            for column in within(&columns, start, panel.columns) {
-                let from = panel.value + (column - start) * panel.stride;
-                let entries = &self.values[from..][..panel.rows];
+        let mut apart = true;
+        for piece in self.pieces {
+            let row = self.place[piece.row.0] + piece.row.1;
+            let start = self.place[piece.column.0] + piece.column.1;
+            for column in within(&columns, start, piece.columns.count) {
+                let from = piece.value + piece.columns.at(column - start) * piece.stride;
+                let entries = &self.values[from..][..piece.length];
                 most = most.max(largest(entries));
-                part(row, column, panel.rows, &mut |to| {
-                    to.copy_from_slice(entries);
+                part(row, column, piece.rows.count, &mut |to| {
+                    apart &= piece.rows.copy(entries, to) || !piece.alone;
                 });
             }
+        }
+        if !apart {
+            self.is_coupled.store(true, Ordering::Relaxed);
         }
         self.largest.fetch_max(most.to_bits(), Ordering::Relaxed);
         for Child { front, places } in &self.children {

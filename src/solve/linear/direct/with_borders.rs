@@ -2,14 +2,13 @@
 //! (docs/theory.md, section 8.8).
 
 use super::DirectSolver;
-use super::analysis::Analysis;
+use super::structure::Structure;
 use crate::collocation::{Panel, Pattern};
 use crate::error::Result;
 use crate::solve::linear::borders::Borders;
 use crate::solve::linear::dense::largest;
 use crate::solve::linear::solver::Side;
 use crate::workers::Workers;
-use std::sync::Arc;
 
 /// Factors of matrices of one pattern, with as many rows and columns beside it.
 #[derive(Debug)]
@@ -27,7 +26,8 @@ impl WithBorders {
     /// For matrices of `pattern` between borders of `count` rows and columns.
     pub fn new(pattern: &Pattern, count: usize, workers: Workers) -> Self {
         let (size, first) = (pattern.size(), pattern.entries());
-        let groups = pattern.groups();
+        let structure = Structure::of(pattern);
+        let groups = &structure.groups;
         let (last, long) = (groups.len(), size + count);
         let of_rows = first + long * count;
         let panel = |[row, column]: [usize; 2], [rows, columns]: [usize; 2], value, stride| Panel {
@@ -45,14 +45,8 @@ impl WithBorders {
             between.push(panel([last, g], [count, group.len()], below, count));
         }
         between.push(panel([last; 2], [count; 2], first + size, long));
-        let (panels, nodes) = (pattern.panels(), pattern.node_groups());
-        let analysis = Analysis::bordered(
-            (groups, nodes),
-            panels,
-            (size..long, between),
-            workers.threads(),
-        );
-        let solver = DirectSolver::with(Arc::new(analysis), workers);
+        let structure = structure.bordered(size..long, between);
+        let solver = DirectSolver::of_structure(structure, workers);
         WithBorders {
             solver,
             size,
