@@ -154,6 +154,13 @@ impl DirectSolver {
     fn divide(&mut self, values: &[f64]) {
         let threads = self.workers.threads();
         if let Some(analysis) = self.analysis.coupled(&self.structure, values, threads) {
+            if std::env::var("TELL").is_ok() {
+                eprintln!(
+                    "divided {} groups into {}",
+                    self.structure.groups.len(),
+                    analysis.groups.len()
+                );
+            }
             self.fronts = analysis.plans.iter().map(|_| Front::empty()).collect();
             self.analysis = Arc::new(analysis);
         }

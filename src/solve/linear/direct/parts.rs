@@ -8,6 +8,10 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 
+/// Entries that are rounding, relative to the largest of their row and to that of their column: what
+/// is off a plane that is not one of the axes of space by rounding, or by that of a mode.
+const ROUNDING: f64 = 1e-12;
+
 /// Which components of groups act on each other at any two instants, by others too.
 #[derive(Debug, Clone)]
 pub(super) struct Parts {
@@ -15,6 +19,8 @@ pub(super) struct Parts {
     first: Vec<usize>,
     /// Of each component another one of its part; of one itself.
     other: Vec<usize>,
+    /// Largest entry in the rows of each component, or in its columns, whichever is less.
+    sizes: Vec<f64>,
 }
 
 impl Parts {
@@ -24,8 +30,10 @@ impl Parts {
         for group in 0..structure.groups.len() {
             first.push(first[group] + structure.components(group));
         }
+        let count = first.last().copied().unwrap_or(0);
         Parts {
-            other: (0..first.last().copied().unwrap_or(0)).collect(),
+            other: (0..count).collect(),
+            sizes: vec![0.0; count],
             first,
         }
     }
@@ -62,31 +70,58 @@ impl Parts {
 
     /// Joins what entries of a matrix couple.
     pub fn join_coupled(&mut self, structure: &Structure, values: &[f64]) {
-        for panel in &structure.panels {
-            let (row, column) = (panel.row.0, panel.column.0);
-            if !structure.is_border(row) && !structure.is_border(column) {
-                self.join_panel(structure, panel, values);
+        let inner = |panel: &&Panel| {
+            let is_border = |group| structure.is_border(group);
+            !is_border(panel.row.0) && !is_border(panel.column.0)
+        };
+        let panels = || structure.panels.iter().filter(inner);
+        let count = self.sizes.len();
+        let (mut rows, mut columns) = (vec![0.0f64; count], vec![0.0f64; count]);
+        for panel in panels() {
+            for j in 0..panel.columns {
+                let column = self.component(structure, panel.column, j);
+                for (i, entry) in entries(panel, j, values).iter().enumerate() {
+                    let row = self.component(structure, panel.row, i);
+                    rows[row] = rows[row].max(entry.abs());
+                    columns[column] = columns[column].max(entry.abs());
+                }
             }
         }
+        let sizes = rows.iter().zip(&columns);
+        self.sizes = sizes.map(|(row, column)| row.min(*column)).collect();
+        for panel in panels() {
+            self.join_panel(structure, panel, values);
+        }
+    }
+
+    /// The component of an unknown of a group, so many after `first`.
+    fn component(&self, structure: &Structure, (group, first): (usize, usize), i: usize) -> usize {
+        self.first[group] + (first + i) % structure.components(group)
     }
 
     fn join_panel(&mut self, structure: &Structure, panel: &Panel, values: &[f64]) {
         let (row, column) = (panel.row.0, panel.column.0);
-        let [of_row, of_column] = [row, column].map(|group| structure.components(group));
         for j in 0..panel.columns {
-            let component = (panel.column.1 + j) % of_column;
-            if j % of_column == 0 && self.are_joined(row, column) {
+            let to = self.component(structure, panel.column, j);
+            if to == self.first[column] && self.are_joined(row, column) {
                 return;
             }
-            let entries = &values[panel.value + j * panel.stride..][..panel.rows];
-            for (i, entry) in entries.iter().enumerate() {
+            for (i, entry) in entries(panel, j, values).iter().enumerate() {
+                let from = self.component(structure, panel.row, i);
+                let rounding = ROUNDING * self.sizes[from].min(self.sizes[to]);
                 // Written so that NaN couples too.
-                if *entry != 0.0 {
-                    let from = self.first[row] + (panel.row.1 + i) % of_row;
-                    self.join(from, self.first[column] + component);
+                let is_rounding = entry.abs() <= rounding;
+                if !is_rounding {
+                    self.join(from, to);
                 }
             }
         }
+    }
+
+    /// What couples two groups no more than rounding does.
+    fn rounding(&self, a: usize, b: usize) -> f64 {
+        let sizes = self.of_group(a).chain(self.of_group(b));
+        ROUNDING * sizes.fold(f64::INFINITY, |least, c| least.min(self.sizes[c]))
     }
 
     /// The parts of a group: the first component of each, and those of the group.
@@ -98,6 +133,11 @@ impl Parts {
         }
         parts
     }
+}
+
+/// Entries of a column of a panel.
+fn entries<'v>(panel: &Panel, column: usize, values: &'v [f64]) -> &'v [f64] {
+    &values[panel.value + column * panel.stride..][..panel.rows]
 }
 
 /// Some components of a group at some instants, one after the other.
@@ -141,39 +181,35 @@ impl Picked {
         }
     }
 
-    /// Copies what is picked of `entries`. `false` if another one is not zero.
-    pub fn copy(&self, entries: &[f64], to: &mut [f64]) -> bool {
-        // Signs of zeros do not count.
-        let is_zero = |bits: u64| bits << 1 == 0;
+    /// Copies what is picked of `entries`. `false` if another one is larger than `rounding`.
+    pub fn copy(&self, entries: &[f64], to: &mut [f64], rounding: f64) -> bool {
+        // Bits of what is not negative are in order, those of NaN last.
+        let size = |x: f64| x.abs().to_bits();
+        let mut most = 0;
         match (&self.components[..], &self.others[..]) {
-            (_, []) => {
-                to.copy_from_slice(entries);
-                true
-            }
-            ([], _) => is_zero(entries.iter().fold(0, |bits, x| bits | x.to_bits())),
+            (_, []) => to.copy_from_slice(entries),
+            ([], _) => most = entries.iter().fold(0, |most, x| size(*x).max(most)),
             // In a plane and out of it: three components of six.
             (&[a, b, c], &[d, e, f]) => {
-                let mut bits = 0;
                 let (all, _) = entries.as_chunks::<6>();
                 let (to, _) = to.as_chunks_mut::<3>();
                 for (to, all) in to.iter_mut().zip(all) {
                     *to = [all[a], all[b], all[c]];
-                    bits |= all[d].to_bits() | all[e].to_bits() | all[f].to_bits();
+                    let others = size(all[d]).max(size(all[e])).max(size(all[f]));
+                    most = most.max(others);
                 }
-                is_zero(bits)
             }
             (components, others) => {
-                let mut bits = 0;
                 let to = to.chunks_exact_mut(components.len());
                 for (to, all) in to.zip(entries.chunks_exact(self.of)) {
                     for (to, &component) in to.iter_mut().zip(components) {
                         *to = all[component];
                     }
-                    bits = others.iter().fold(bits, |bits, &o| bits | all[o].to_bits());
+                    most = others.iter().fold(most, |most, &o| most.max(size(all[o])));
                 }
-                is_zero(bits)
             }
         }
+        most <= rounding.to_bits()
     }
 }
 
@@ -194,8 +230,8 @@ pub(super) struct Piece {
     pub value: usize,
     /// Values from one column to the next.
     pub stride: usize,
-    /// Whether rows of other parts should be zero.
-    pub alone: bool,
+    /// What is in rows of other parts at most.
+    pub rounding: f64,
 }
 
 /// Groups that are eliminated: parts of those of a matrix.
@@ -259,7 +295,7 @@ impl Divided {
             length: panel.rows,
             value: panel.value,
             stride: panel.stride,
-            alone: false,
+            rounding: f64::INFINITY,
         });
         Divided {
             groups: structure.groups.clone(),
@@ -303,7 +339,8 @@ impl Divided {
         }
         let mut pieces = Vec::new();
         for panel in &structure.panels {
-            pieces.extend(pieces_of(structure, &of_groups, panel)?);
+            let rounding = parts.rounding(panel.row.0, panel.column.0);
+            pieces.extend(pieces_of(structure, &of_groups, (panel, rounding))?);
         }
         Some(Divided {
             groups,
@@ -318,11 +355,12 @@ impl Divided {
 fn pieces_of(
     structure: &Structure,
     of_groups: &[Vec<PartOfGroup>],
-    panel: &Panel,
+    (panel, rounding): (&Panel, f64),
 ) -> Option<Vec<Piece>> {
     let (row, column) = (panel.row.0, panel.column.0);
     let [of_row, of_column] = [row, column].map(|group| structure.components(group));
     let between = structure.is_border(row) || structure.is_border(column);
+    let rounding = if between { f64::INFINITY } else { rounding };
     let mut pieces = Vec::new();
     for columns in &of_groups[column] {
         let picked = columns.picked(panel.column.1, panel.columns, of_column)?;
@@ -338,7 +376,7 @@ fn pieces_of(
                 length: panel.rows,
                 value: panel.value,
                 stride: panel.stride,
-                alone: !between,
+                rounding,
             });
         };
         let acts = |rows: &&PartOfGroup| between || rows.root == columns.root;
