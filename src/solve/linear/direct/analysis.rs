@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 
 /// Multiply-adds of a factorisation that are worth a look for parts that do not act on each other.
-const WORTH_PARTS: f64 = 1e6;
+const WORTH_PARTS: f64 = 3e6;
 
 /// What depends on which entries of a matrix are zero, and not on their values.
 #[derive(Debug)]
@@ -48,6 +48,9 @@ impl Analysis {
     pub fn coupled(&self, structure: &Structure, values: &[f64], threads: usize) -> Option<Self> {
         let mut parts = self.parts.clone()?;
         parts.join_coupled(structure, values);
+        if std::env::var("TELL").is_ok() && parts.are_whole() {
+            parts.tell(structure, values);
+        }
         let whole = parts.are_whole();
         let divided = (!whole).then(|| Divided::new(structure, &parts)).flatten();
         let parts = divided.is_some().then_some(parts);

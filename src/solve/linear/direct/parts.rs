@@ -56,65 +56,73 @@ impl Parts {
         self.first[group]..self.first[group + 1]
     }
 
-    /// Whether two groups are of one part.
-    fn are_joined(&self, a: usize, b: usize) -> bool {
-        let root = self.root(self.first[a]);
-        let mut all = self.of_group(a).chain(self.of_group(b));
-        all.all(|component| self.root(component) == root)
-    }
-
     /// Whether all components of each group are of one part.
     pub fn are_whole(&self) -> bool {
-        (0..self.first.len() - 1).all(|group| self.are_joined(group, group))
+        let is_whole = |group: usize| {
+            let root = self.root(self.first[group]);
+            self.of_group(group).all(|c| self.root(c) == root)
+        };
+        (0..self.first.len() - 1).all(is_whole)
     }
 
     /// Joins what entries of a matrix couple.
     pub fn join_coupled(&mut self, structure: &Structure, values: &[f64]) {
-        let inner = |panel: &&Panel| {
-            let is_border = |group| structure.is_border(group);
-            !is_border(panel.row.0) && !is_border(panel.column.0)
-        };
-        let panels = || structure.panels.iter().filter(inner);
+        let mut blocks = BTreeMap::new();
+        for panel in &structure.panels {
+            let groups = (panel.row.0, panel.column.0);
+            if !structure.is_border(groups.0) && !structure.is_border(groups.1) {
+                let block = blocks.entry(groups).or_insert_with(|| {
+                    let [rows, columns] =
+                        [groups.0, groups.1].map(|group| structure.components(group));
+                    Largest::new(rows, columns)
+                });
+                block.add(panel, values);
+            }
+        }
         let count = self.sizes.len();
         let (mut rows, mut columns) = (vec![0.0f64; count], vec![0.0f64; count]);
-        for panel in panels() {
-            for j in 0..panel.columns {
-                let column = self.component(structure, panel.column, j);
-                for (i, entry) in entries(panel, j, values).iter().enumerate() {
-                    let row = self.component(structure, panel.row, i);
-                    rows[row] = rows[row].max(entry.abs());
-                    columns[column] = columns[column].max(entry.abs());
-                }
+        for (&(row, column), block) in &blocks {
+            for (i, j, entry) in block.entries() {
+                let (row, column) = (self.first[row] + i, self.first[column] + j);
+                rows[row] = rows[row].max(entry);
+                columns[column] = columns[column].max(entry);
             }
         }
         let sizes = rows.iter().zip(&columns);
         self.sizes = sizes.map(|(row, column)| row.min(*column)).collect();
-        for panel in panels() {
-            self.join_panel(structure, panel, values);
+        for (&(row, column), block) in &blocks {
+            for (i, j, entry) in block.entries() {
+                let (row, column) = (self.first[row] + i, self.first[column] + j);
+                // Written so that NaN couples too.
+                let is_rounding = entry <= ROUNDING * self.sizes[row].min(self.sizes[column]);
+                if !is_rounding {
+                    self.join(row, column);
+                }
+            }
         }
     }
 
-    /// The component of an unknown of a group, so many after `first`.
-    fn component(&self, structure: &Structure, (group, first): (usize, usize), i: usize) -> usize {
-        self.first[group] + (first + i) % structure.components(group)
-    }
-
-    fn join_panel(&mut self, structure: &Structure, panel: &Panel, values: &[f64]) {
-        let (row, column) = (panel.row.0, panel.column.0);
-        for j in 0..panel.columns {
-            let to = self.component(structure, panel.column, j);
-            if to == self.first[column] && self.are_joined(row, column) {
-                return;
-            }
-            for (i, entry) in entries(panel, j, values).iter().enumerate() {
-                let from = self.component(structure, panel.row, i);
-                let rounding = ROUNDING * self.sizes[from].min(self.sizes[to]);
-                // Written so that NaN couples too.
-                let is_rounding = entry.abs() <= rounding;
-                if !is_rounding {
-                    self.join(from, to);
+    pub fn tell(&self, structure: &Structure, values: &[f64]) {
+        for in_plane in [[0usize, 1, 5], [0, 2, 4], [1, 2, 3]] {
+            let mut worst = (0.0f64, 0, 0, 0, 0, 0.0, 0.0);
+            for panel in &structure.panels {
+                let (row, column) = (panel.row.0, panel.column.0);
+                if row >= structure.nodes || column >= structure.nodes {
+                    continue;
+                }
+                let mut block = Largest::new(6, 6);
+                block.add(panel, values);
+                for (i, j, entry) in block.entries() {
+                    if in_plane.contains(&i) != in_plane.contains(&j) {
+                        let s =
+                            self.sizes[self.first[row] + i].min(self.sizes[self.first[column] + j]);
+                        if entry / s > worst.0 {
+                            worst = (entry / s, row, column, i, j, entry, s);
+                        }
+                    }
                 }
             }
+            eprintln!("{in_plane:?} {worst:?}");
         }
     }
 
@@ -135,9 +143,49 @@ impl Parts {
     }
 }
 
-/// Entries of a column of a panel.
-fn entries<'v>(panel: &Panel, column: usize, values: &'v [f64]) -> &'v [f64] {
-    &values[panel.value + column * panel.stride..][..panel.rows]
+/// The largest entries between the components of two groups, of all instants.
+struct Largest {
+    rows: usize,
+    /// Of one column after the other: bits of what is not negative, which are in order, those of
+    /// NaN last.
+    bits: Vec<u64>,
+}
+
+impl Largest {
+    fn new(rows: usize, columns: usize) -> Self {
+        Largest {
+            rows,
+            bits: vec![0; rows * columns],
+        }
+    }
+
+    fn add(&mut self, panel: &Panel, values: &[f64]) {
+        let columns = self.bits.len() / self.rows;
+        for j in 0..panel.columns {
+            let component = (panel.column.1 + j) % columns;
+            let most = &mut self.bits[component * self.rows..][..self.rows];
+            let entries = &values[panel.value + j * panel.stride..][..panel.rows];
+            // Up to the end of an instant, and then whole ones.
+            let first = panel.row.1 % self.rows;
+            let (begun, whole) = entries.split_at(entries.len().min(self.rows - first));
+            raise(&mut most[first..], begun);
+            for rows in whole.chunks(self.rows) {
+                raise(most, rows);
+            }
+        }
+    }
+
+    /// Row, column, and size of each.
+    fn entries(&self) -> impl Iterator<Item = (usize, usize, f64)> {
+        let entries = self.bits.iter().enumerate();
+        entries.map(|(k, bits)| (k % self.rows, k / self.rows, f64::from_bits(*bits)))
+    }
+}
+
+fn raise(most: &mut [u64], entries: &[f64]) {
+    for (most, x) in most.iter_mut().zip(entries) {
+        *most = (*most).max(x.abs().to_bits());
+    }
 }
 
 /// Some components of a group at some instants, one after the other.
