@@ -81,6 +81,8 @@ pub(super) struct Walk<'a> {
     pub added: f64,
     /// What the last multipliers have taken.
     pub experience: Option<Experience>,
+    /// Whether it was seen on this grid what acts on what.
+    looked: bool,
 }
 
 impl<'a> Walk<'a> {
@@ -110,6 +112,7 @@ impl<'a> Walk<'a> {
             near: false,
             added: 1.0,
             experience: None,
+            looked: false,
         })
     }
 
@@ -160,6 +163,7 @@ impl<'a> Walk<'a> {
             iteration_limit: limit.min(self.options.periodic.newton.iteration_limit),
             ..self.options.periodic.newton
         };
+        self.look_for_parts(state)?;
         let watching = self.watching.clone();
         let mut observe = |iteration: &Iteration| watching.iteration(Stage::Newton, iteration);
         let solved = self.newton.solve(state, &options, &mut observe);
@@ -174,6 +178,20 @@ impl<'a> Walk<'a> {
             }
             end => end,
         }
+    }
+
+    /// Has what solves linear equations look at the first state on a grid.
+    fn look_for_parts(&mut self, state: &GridState) -> Result<()> {
+        if std::mem::replace(&mut self.looked, true) {
+            return Ok(());
+        }
+        let Newton {
+            equations, linear, ..
+        } = &mut self.newton;
+        equations.apply_scalars(state)?;
+        let seen = linear.inner.look_for_parts(equations, state);
+        // What cannot be evaluated is no solution, as the solve will tell.
+        found_or_none(seen.map(Some)).map(|_| ())
     }
 
     /// The solution at a value of the parameter, near `state`.
@@ -377,7 +395,7 @@ impl<'a> Walk<'a> {
             &self.workers,
         )?;
         let newton = std::mem::replace(&mut self.newton, next);
-        self.near = false;
+        (self.near, self.looked) = (false, false);
         let determinants = Determinants::wanted(self.options, &self.newton.equations);
         let determinants = std::mem::replace(&mut self.determinants, determinants);
         self.before += newton.iterations;
@@ -392,7 +410,7 @@ impl<'a> Walk<'a> {
     pub fn give_back(&mut self, before: Before) {
         self.before += self.newton.iterations;
         self.newton = before.newton;
-        self.near = false;
+        (self.near, self.looked) = (false, true);
         self.determinants = before.determinants;
         self.before -= self.newton.iterations;
     }

@@ -4,6 +4,7 @@ use crate::collocation::{Collocation, GridState, Pattern, Tangent};
 use crate::error::Result;
 use crate::numbers::Numbers;
 use crate::solve::linear::borders::Borders;
+use crate::solve::linear::cost::DirectCost;
 use crate::solve::linear::dense::{largest, probe};
 use crate::solve::linear::diagnosis::{Singularity, diagnose};
 use crate::solve::linear::direct::{Columns, DirectSolver, WithBorders};
@@ -93,6 +94,23 @@ impl Assembled {
         }
         let values = &mut self.values[..entries];
         equations.jacobian(state, pattern, &mut self.tangent, values)
+    }
+
+    /// What factors of the Jacobian at a state take, of parts that do not act on each other there;
+    /// none if those of freedoms serve.
+    pub(crate) fn cost_at(
+        &mut self,
+        equations: &mut Collocation,
+        state: &GridState,
+    ) -> Result<Option<DirectCost>> {
+        if self.freedoms.is_some() {
+            return Ok(None);
+        }
+        self.assemble(equations, state)?;
+        let (pattern, workers) = (pattern_of(&self.pattern, equations), &self.workers);
+        let mut solver = DirectSolver::new(pattern, workers.clone());
+        solver.divide(&self.values);
+        Ok(Some(solver.cost()))
     }
 
     /// Assembles the Jacobian that was not formed, if it was not.

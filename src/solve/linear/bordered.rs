@@ -40,7 +40,7 @@ const CANCELS: f64 = 10.0;
 
 /// Solves bordered equations; those of the grid as `inner` does.
 pub(crate) struct Bordered<L> {
-    inner: L,
+    pub(crate) inner: L,
     /// Where the equations were linearised last.
     at: Option<GridState>,
     /// The equations there, where `inner` does not keep them.

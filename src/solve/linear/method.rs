@@ -11,7 +11,9 @@ use crate::solve::linear::freedoms::FreedomSolver;
 use crate::solve::linear::iterative::{Iterative, IterativeRecord, Preconditioner};
 use crate::solve::linear::like_blades::{OfLikeBlades, Whole};
 pub use crate::solve::linear::plan::LinearMethod;
-use crate::solve::linear::plan::{Choice, DELAYED, LARGE, Plan, SMALL};
+use crate::solve::linear::plan::{
+    Choice, DELAYED, LARGE, Plan, SMALL, may_serve_in_parts, serve_along_branch,
+};
 use crate::solve::linear::slender::SLENDER;
 use crate::solve::linear::solver::{ESTIMATE, LinearSolver, Side};
 use crate::solve::report::{Timings, timed};
@@ -135,6 +137,25 @@ impl Linear {
     pub fn along_branch(equations: &Collocation, method: LinearMethod) -> Self {
         let plan = Plan::of(equations, method, f64::INFINITY);
         Self::planned(equations, plan.along_branch())
+    }
+
+    /// Takes factors for all that follows along a branch if they take no longer than iteration where
+    /// what does not act on each other at this state is taken apart.
+    ///
+    /// # Errors
+    /// If the equations cannot be evaluated there.
+    pub fn look_for_parts(&mut self, equations: &mut Collocation, state: &GridState) -> Result<()> {
+        let iterates = matches!(self.active, Active::Iterative(_)) && self.falls_back;
+        if !iterates || !may_serve_in_parts(self.most_products) {
+            return Ok(());
+        }
+        let mut direct = Assembled::new(equations);
+        if let Some(cost) = direct.cost_at(equations, state)?
+            && serve_along_branch(equations, cost)
+        {
+            self.active = Active::Direct(Box::new(direct));
+        }
+        Ok(())
     }
 
     /// For `equations`, as planned.

@@ -33,9 +33,11 @@ pub(super) const DELAYED: f64 = 1.2;
 /// Products of a linear solve on a mapped grid after which factors are tried instead, and more if
 /// these take longer: preconditioners that average over time are good there, or not at all.
 const LIMIT_IF_MAPPED: usize = 40;
-/// Products that a point of a branch takes by iteration, about: where factors take no longer, these
-/// solve all its equations.
-const OF_POINT: usize = 50;
+/// Products after which iteration takes longer at a point of a branch than factors that are made
+/// anew for each of its solutions.
+const OF_POINT: usize = 70;
+/// Factors of parts that do not act on each other take so many times less at best, of two.
+const TWO_PARTS: usize = 4;
 /// Multiply-adds of dense kernels that take as long as one of those that products are counted by.
 const DENSE: usize = 12;
 /// So few numbers are not worth the trouble.
@@ -89,8 +91,7 @@ impl Plan {
                 falls_back = cost.bytes < too_large;
                 let numbers = equations.layout().motions().len() as f64;
                 let products = (cost.work / (PRODUCT * numbers)) as usize;
-                let with_assembly = cost.work + VALUE * cost.values();
-                most_products = (with_assembly / (PRODUCT * numbers)) as usize;
+                most_products = products_of(cost, numbers);
                 let cheap = numbers < SMALL || cost.work < AFFORDABLE * numbers;
                 let few_freedoms = || {
                     let work = FreedomSolver::work(equations);
@@ -138,4 +139,22 @@ impl Plan {
             _ => self,
         }
     }
+}
+
+/// Products of iteration that take as long as to assemble the Jacobian and factor it.
+fn products_of(factors: DirectCost, numbers: f64) -> usize {
+    let with_assembly = factors.work + VALUE * factors.values();
+    (with_assembly / (PRODUCT * numbers)) as usize
+}
+
+/// Whether factors that take so many products may serve along a branch if there are parts that do
+/// not act on each other.
+pub(super) fn may_serve_in_parts(products: usize) -> bool {
+    products <= TWO_PARTS * OF_POINT
+}
+
+/// Whether these factors serve along a branch of these equations.
+pub(super) fn serve_along_branch(equations: &Collocation, factors: DirectCost) -> bool {
+    let numbers = equations.layout().motions().len() as f64;
+    products_of(factors, numbers) <= OF_POINT
 }

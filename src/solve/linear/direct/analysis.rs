@@ -48,9 +48,6 @@ impl Analysis {
     pub fn coupled(&self, structure: &Structure, values: &[f64], threads: usize) -> Option<Self> {
         let mut parts = self.parts.clone()?;
         parts.join_coupled(structure, values);
-        if std::env::var("TELL").is_ok() && parts.are_whole() {
-            parts.tell(structure, values);
-        }
         let whole = parts.are_whole();
         let divided = (!whole).then(|| Divided::new(structure, &parts)).flatten();
         let parts = divided.is_some().then_some(parts);

@@ -151,16 +151,9 @@ impl DirectSolver {
     }
 
     /// Divides groups into parts that this matrix, and those before, do not couple.
-    fn divide(&mut self, values: &[f64]) {
+    pub(crate) fn divide(&mut self, values: &[f64]) {
         let threads = self.workers.threads();
         if let Some(analysis) = self.analysis.coupled(&self.structure, values, threads) {
-            if std::env::var("TELL").is_ok() {
-                eprintln!(
-                    "divided {} groups into {}",
-                    self.structure.groups.len(),
-                    analysis.groups.len()
-                );
-            }
             self.fronts = analysis.plans.iter().map(|_| Front::empty()).collect();
             self.analysis = Arc::new(analysis);
         }
@@ -604,7 +597,7 @@ mod tests {
                 // Each beam leaves 6 of its 90 unknowns, its motions as a whole, until it is joined
                 // to what is held.
                 assert!(
-                    springs as f64 <= 1.2 * hinge as f64,
+                    springs as f64 <= 1.3 * hinge as f64,
                     "{count} beams: {springs} numbers instead of {hinge}"
                 );
                 springs as f64
@@ -639,7 +632,10 @@ mod tests {
             // By several threads, however little there is to do.
             let mut shared = rhs.col_as_slice(0).to_vec();
             let three = Workers::new(3).unwrap();
-            solver.solve_shared(&mut shared, &solver.divided(&three), &three);
+            solver.in_order(&mut shared, |rhs| {
+                solver.solve_shared(rhs, &solver.divided(&three), &three);
+                true
+            });
             let reference = dense.partial_piv_lu().solve(&rhs);
             let error = |x: &dyn Fn(usize) -> f64| {
                 (0..size).fold(0.0, |m: f64, i| m.max((x(i) - exact[(i, 0)]).abs()))

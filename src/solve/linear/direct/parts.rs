@@ -8,9 +8,10 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Entries that are rounding, relative to the largest of their row and to that of their column: what
-/// is off a plane that is not one of the axes of space by rounding, or by that of a mode.
-const ROUNDING: f64 = 1e-12;
+/// Entries that are rounding, relative to the sizes of their row and column, in the geometric mean:
+/// what is off a plane by rounding of a mode, or of a plane across the axes of space. Factors lack
+/// them; refined solutions do not.
+const ROUNDING: f64 = 1e-10;
 
 /// Which components of groups act on each other at any two instants, by others too.
 #[derive(Debug, Clone)]
@@ -94,7 +95,7 @@ impl Parts {
             for (i, j, entry) in block.entries() {
                 let (row, column) = (self.first[row] + i, self.first[column] + j);
                 // Written so that NaN couples too.
-                let is_rounding = entry <= ROUNDING * self.sizes[row].min(self.sizes[column]);
+                let is_rounding = entry <= ROUNDING * self.size_between(row, column);
                 if !is_rounding {
                     self.join(row, column);
                 }
@@ -102,34 +103,15 @@ impl Parts {
         }
     }
 
-    pub fn tell(&self, structure: &Structure, values: &[f64]) {
-        for in_plane in [[0usize, 1, 5], [0, 2, 4], [1, 2, 3]] {
-            let mut worst = (0.0f64, 0, 0, 0, 0, 0.0, 0.0);
-            for panel in &structure.panels {
-                let (row, column) = (panel.row.0, panel.column.0);
-                if row >= structure.nodes || column >= structure.nodes {
-                    continue;
-                }
-                let mut block = Largest::new(6, 6);
-                block.add(panel, values);
-                for (i, j, entry) in block.entries() {
-                    if in_plane.contains(&i) != in_plane.contains(&j) {
-                        let s =
-                            self.sizes[self.first[row] + i].min(self.sizes[self.first[column] + j]);
-                        if entry / s > worst.0 {
-                            worst = (entry / s, row, column, i, j, entry, s);
-                        }
-                    }
-                }
-            }
-            eprintln!("{in_plane:?} {worst:?}");
-        }
+    fn size_between(&self, row: usize, column: usize) -> f64 {
+        (self.sizes[row] * self.sizes[column]).sqrt()
     }
 
     /// What couples two groups no more than rounding does.
     fn rounding(&self, a: usize, b: usize) -> f64 {
-        let sizes = self.of_group(a).chain(self.of_group(b));
-        ROUNDING * sizes.fold(f64::INFINITY, |least, c| least.min(self.sizes[c]))
+        let pairs = (self.of_group(a)).flat_map(|row| self.of_group(b).map(move |c| (row, c)));
+        let sizes = pairs.map(|(row, column)| self.size_between(row, column));
+        ROUNDING * sizes.fold(f64::INFINITY, f64::min)
     }
 
     /// The parts of a group: the first component of each, and those of the group.

@@ -123,28 +123,6 @@ impl<'a> Sum<'a> {
             }
         }
         if !apart {
-            if std::env::var("TELL").is_ok() {
-                let p = self
-                    .pieces
-                    .iter()
-                    .map(|p| {
-                        let mut m = 0.0f64;
-                        for c in 0..p.columns.count {
-                            let from = p.value + p.columns.at(c) * p.stride;
-                            let mut to = vec![0.0; p.rows.count];
-                            if !p
-                                .rows
-                                .copy(&self.values[from..][..p.length], &mut to, p.rounding)
-                            {
-                                m = m.max(largest(&self.values[from..][..p.length]));
-                            }
-                        }
-                        (p.row.0, p.column.0, p.rounding, m)
-                    })
-                    .filter(|x| x.3 > 0.0)
-                    .collect::<Vec<_>>();
-                eprintln!("coupled {:?}", &p[..1]);
-            }
             self.is_coupled.store(true, Ordering::Relaxed);
         }
         self.largest.fetch_max(most.to_bits(), Ordering::Relaxed);
