@@ -139,8 +139,8 @@ impl Linear {
         Self::planned(equations, plan.along_branch())
     }
 
-    /// Takes factors for all that follows along a branch if they take no longer than iteration where
-    /// what does not act on each other at this state is taken apart.
+    /// Takes factors for all that follows along a branch if they take no longer than iteration
+    /// where what does not act on each other at this state is taken apart.
     ///
     /// # Errors
     /// If the equations cannot be evaluated there.

@@ -25,6 +25,8 @@ pub(super) struct Analysis {
     /// Of each front with all those that lead to it, which come just before it: multiply-adds, and
     /// their number.
     pub subtrees: Vec<(f64, usize)>,
+    /// Numbers of factors that are not worth parts: those of the whole, as planned.
+    pub most_numbers: usize,
     /// Which unknowns act on each other, as far as matrices have told; none if they may all.
     pub parts: Option<Parts>,
 }
@@ -32,11 +34,16 @@ pub(super) struct Analysis {
 impl Analysis {
     /// Of any matrix of this structure, for so many threads.
     pub fn new(structure: &Structure, threads: usize) -> Self {
-        let mut analysis = Self::planned(structure, Divided::whole(structure), threads);
+        let mut analysis = Self::whole(structure, threads);
         if structure.instants > 1 && analysis.work() > WORTH_PARTS {
             analysis.parts = Some(Parts::new(structure));
         }
         analysis
+    }
+
+    /// Of the same, whatever acts on what.
+    pub fn whole(structure: &Structure, threads: usize) -> Self {
+        Self::planned(structure, Divided::whole(structure), threads)
     }
 
     /// Whether no matrix has told yet which unknowns act on each other.
@@ -52,9 +59,17 @@ impl Analysis {
         let divided = (!whole).then(|| Divided::new(structure, &parts)).flatten();
         let parts = divided.is_some().then_some(parts);
         let divided = divided.unwrap_or_else(|| Divided::whole(structure));
+        let planned = Self::planned(structure, divided, threads);
+        let most_numbers = match planned.places {
+            // From the first, which was of the whole.
+            Some(_) if self.places.is_none() => self.numbers(),
+            Some(_) => self.most_numbers,
+            None => usize::MAX,
+        };
         Some(Analysis {
             parts,
-            ..Self::planned(structure, divided, threads)
+            most_numbers,
+            ..planned
         })
     }
 
@@ -95,8 +110,18 @@ impl Analysis {
             plans,
             pieces,
             subtrees,
+            most_numbers: usize::MAX,
             parts: None,
         }
+    }
+
+    /// Numbers of factors, as planned.
+    fn numbers(&self) -> usize {
+        let fronts = self.plans.iter().map(|plan| {
+            let own = self.size_of(&plan.own);
+            own * (own + 2 * self.size_of(&plan.boundary))
+        });
+        fronts.sum()
     }
 
     /// The fronts that have no parents.

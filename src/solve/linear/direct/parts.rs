@@ -1,5 +1,5 @@
-//! Unknowns that do not act on each other, as those in the plane of a planar motion and those out of
-//! it: groups are divided into parts, which elimination never couples.
+//! Unknowns that do not act on each other, as those in the plane of a planar motion and those out
+//! of it: groups are divided into parts, which elimination never couples.
 //! See docs/theory.md, section 8.1.
 
 use super::structure::Structure;
