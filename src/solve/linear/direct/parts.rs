@@ -1,4 +1,3 @@
-//! Unknowns that do not act on each other, as those in the plane of a planar motion and those out
 //! of it: groups are divided into parts, which elimination never couples.
 //! See docs/theory.md, section 8.1.
 
