@@ -67,32 +67,31 @@ impl Parts {
 
     /// Joins what entries of a matrix couple.
     pub fn join_coupled(&mut self, structure: &Structure, values: &[f64]) {
-        let mut blocks = BTreeMap::new();
-        for panel in &structure.panels {
-            let groups = (panel.row.0, panel.column.0);
-            if !structure.is_border(groups.0) && !structure.is_border(groups.1) {
-                let block = blocks.entry(groups).or_insert_with(|| {
-                    let [rows, columns] =
-                        [groups.0, groups.1].map(|group| structure.components(group));
-                    Largest::new(rows, columns)
-                });
-                block.add(panel, values);
-            }
+        // In space that is told by the columns of one instant.
+        let mut by_first = self.clone();
+        by_first.join_blocks(&blocks(structure, values, 1));
+        if by_first.are_whole() {
+            *self = by_first;
+        } else {
+            self.join_blocks(&blocks(structure, values, structure.instants));
         }
+    }
+
+    fn join_blocks(&mut self, blocks: &BTreeMap<[usize; 2], Largest>) {
         let count = self.sizes.len();
         let (mut rows, mut columns) = (vec![0.0f64; count], vec![0.0f64; count]);
-        for (&(row, column), block) in &blocks {
+        for ([row, column], block) in blocks {
             for (i, j, entry) in block.entries() {
-                let (row, column) = (self.first[row] + i, self.first[column] + j);
+                let (row, column) = (self.first[*row] + i, self.first[*column] + j);
                 rows[row] = rows[row].max(entry);
                 columns[column] = columns[column].max(entry);
             }
         }
         let sizes = rows.iter().zip(&columns);
         self.sizes = sizes.map(|(row, column)| row.min(*column)).collect();
-        for (&(row, column), block) in &blocks {
+        for ([row, column], block) in blocks {
             for (i, j, entry) in block.entries() {
-                let (row, column) = (self.first[row] + i, self.first[column] + j);
+                let (row, column) = (self.first[*row] + i, self.first[*column] + j);
                 // Written so that NaN couples too.
                 let is_rounding = entry <= ROUNDING * self.size_between(row, column);
                 if !is_rounding {
@@ -124,6 +123,23 @@ impl Parts {
     }
 }
 
+/// The largest entries between groups, but for those of borders, in the columns of so many
+/// instants.
+fn blocks(structure: &Structure, values: &[f64], instants: usize) -> BTreeMap<[usize; 2], Largest> {
+    let mut blocks = BTreeMap::new();
+    for panel in &structure.panels {
+        let groups = [panel.row.0, panel.column.0];
+        let [rows, columns] = groups.map(|group| structure.components(group));
+        let count = (instants * columns).saturating_sub(panel.column.1);
+        if count > 0 && groups.iter().all(|&group| !structure.is_border(group)) {
+            let block = blocks.entry(groups);
+            let block = block.or_insert_with(|| Largest::new(rows, columns));
+            block.add(panel, count.min(panel.columns), values);
+        }
+    }
+    blocks
+}
+
 /// The largest entries between the components of two groups, of all instants.
 struct Largest {
     rows: usize,
@@ -140,9 +156,10 @@ impl Largest {
         }
     }
 
-    fn add(&mut self, panel: &Panel, values: &[f64]) {
+    /// Looks at the first columns of a panel, so many.
+    fn add(&mut self, panel: &Panel, count: usize, values: &[f64]) {
         let columns = self.bits.len() / self.rows;
-        for j in 0..panel.columns {
+        for j in 0..count {
             let component = (panel.column.1 + j) % columns;
             let most = &mut self.bits[component * self.rows..][..self.rows];
             let entries = &values[panel.value + j * panel.stride..][..panel.rows];
