@@ -7,11 +7,6 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Entries that are rounding, relative to the sizes of their row and column, in the geometric mean:
-/// what is off a plane by rounding of a mode, or of a plane across the axes of space. Factors lack
-/// them; refined solutions do not.
-const ROUNDING: f64 = 1e-10;
-
 /// Which components of groups act on each other at any two instants, by others too.
 #[derive(Debug, Clone)]
 pub(super) struct Parts {
@@ -19,8 +14,6 @@ pub(super) struct Parts {
     first: Vec<usize>,
     /// Of each component another one of its part; of one itself.
     other: Vec<usize>,
-    /// Largest entry in the rows of each component, or in its columns, whichever is less.
-    sizes: Vec<f64>,
 }
 
 impl Parts {
@@ -33,7 +26,6 @@ impl Parts {
         let count = first.last().copied().unwrap_or(0);
         Parts {
             other: (0..count).collect(),
-            sizes: vec![0.0; count],
             first,
         }
     }
@@ -77,39 +69,12 @@ impl Parts {
         }
     }
 
-    fn join_blocks(&mut self, blocks: &BTreeMap<[usize; 2], Largest>) {
-        let count = self.sizes.len();
-        let (mut rows, mut columns) = (vec![0.0f64; count], vec![0.0f64; count]);
-        for ([row, column], block) in blocks {
-            for (i, j, entry) in block.entries() {
-                let (row, column) = (self.first[*row] + i, self.first[*column] + j);
-                rows[row] = rows[row].max(entry);
-                columns[column] = columns[column].max(entry);
+    fn join_blocks(&mut self, blocks: &BTreeMap<[usize; 2], Coupled>) {
+        for (&[row, column], block) in blocks {
+            for (i, j) in block.pairs() {
+                self.join(self.first[row] + i, self.first[column] + j);
             }
         }
-        let sizes = rows.iter().zip(&columns);
-        self.sizes = sizes.map(|(row, column)| row.min(*column)).collect();
-        for ([row, column], block) in blocks {
-            for (i, j, entry) in block.entries() {
-                let (row, column) = (self.first[*row] + i, self.first[*column] + j);
-                // Written so that NaN couples too.
-                let is_rounding = entry <= ROUNDING * self.size_between(row, column);
-                if !is_rounding {
-                    self.join(row, column);
-                }
-            }
-        }
-    }
-
-    fn size_between(&self, row: usize, column: usize) -> f64 {
-        (self.sizes[row] * self.sizes[column]).sqrt()
-    }
-
-    /// What couples two groups no more than rounding does.
-    fn rounding(&self, a: usize, b: usize) -> f64 {
-        let pairs = (self.of_group(a)).flat_map(|row| self.of_group(b).map(move |c| (row, c)));
-        let sizes = pairs.map(|(row, column)| self.size_between(row, column));
-        ROUNDING * sizes.fold(f64::INFINITY, f64::min)
     }
 
     /// The parts of a group: the first component of each, and those of the group.
@@ -123,9 +88,8 @@ impl Parts {
     }
 }
 
-/// The largest entries between groups, but for those of borders, in the columns of so many
-/// instants.
-fn blocks(structure: &Structure, values: &[f64], instants: usize) -> BTreeMap<[usize; 2], Largest> {
+/// What is coupled of groups, but for those of borders, in the columns of so many instants.
+fn blocks(structure: &Structure, values: &[f64], instants: usize) -> BTreeMap<[usize; 2], Coupled> {
     let mut blocks = BTreeMap::new();
     for panel in &structure.panels {
         let groups = [panel.row.0, panel.column.0];
@@ -133,24 +97,23 @@ fn blocks(structure: &Structure, values: &[f64], instants: usize) -> BTreeMap<[u
         let count = (instants * columns).saturating_sub(panel.column.1);
         if count > 0 && groups.iter().all(|&group| !structure.is_border(group)) {
             let block = blocks.entry(groups);
-            let block = block.or_insert_with(|| Largest::new(rows, columns));
+            let block = block.or_insert_with(|| Coupled::new(rows, columns));
             block.add(panel, count.min(panel.columns), values);
         }
     }
     blocks
 }
 
-/// The largest entries between the components of two groups, of all instants.
-struct Largest {
+/// Which components of two groups have entries that are not zero, at any instants.
+struct Coupled {
     rows: usize,
-    /// Of one column after the other: bits of what is not negative, which are in order, those of
-    /// NaN last.
+    /// Of one column after the other: bits that an entry has.
     bits: Vec<u64>,
 }
 
-impl Largest {
+impl Coupled {
     fn new(rows: usize, columns: usize) -> Self {
-        Largest {
+        Coupled {
             rows,
             bits: vec![0; rows * columns],
         }
@@ -161,28 +124,33 @@ impl Largest {
         let columns = self.bits.len() / self.rows;
         for j in 0..count {
             let component = (panel.column.1 + j) % columns;
-            let most = &mut self.bits[component * self.rows..][..self.rows];
+            let bits = &mut self.bits[component * self.rows..][..self.rows];
             let entries = &values[panel.value + j * panel.stride..][..panel.rows];
             // Up to the end of an instant, and then whole ones.
             let first = panel.row.1 % self.rows;
             let (begun, whole) = entries.split_at(entries.len().min(self.rows - first));
-            raise(&mut most[first..], begun);
+            add_bits(&mut bits[first..], begun);
             for rows in whole.chunks(self.rows) {
-                raise(most, rows);
+                add_bits(bits, rows);
             }
         }
     }
 
-    /// Row, column, and size of each.
-    fn entries(&self) -> impl Iterator<Item = (usize, usize, f64)> {
-        let entries = self.bits.iter().enumerate();
-        entries.map(|(k, bits)| (k % self.rows, k / self.rows, f64::from_bits(*bits)))
+    /// Row and column of each pair of them.
+    fn pairs(&self) -> impl Iterator<Item = (usize, usize)> {
+        let coupled = self.bits.iter().enumerate().filter(|(_, bits)| **bits != 0);
+        coupled.map(|(k, _)| (k % self.rows, k / self.rows))
     }
 }
 
-fn raise(most: &mut [u64], entries: &[f64]) {
-    for (most, x) in most.iter_mut().zip(entries) {
-        *most = (*most).max(x.abs().to_bits());
+/// Those of zeros are none, whatever their sign; NaN has some.
+fn bits(x: f64) -> u64 {
+    x.abs().to_bits()
+}
+
+fn add_bits(to: &mut [u64], entries: &[f64]) {
+    for (to, x) in to.iter_mut().zip(entries) {
+        *to |= bits(*x);
     }
 }
 
@@ -227,22 +195,19 @@ impl Picked {
         }
     }
 
-    /// Copies what is picked of `entries`. `false` if another one is larger than `rounding`.
-    pub fn copy(&self, entries: &[f64], to: &mut [f64], rounding: f64) -> bool {
-        // Bits of what is not negative are in order, those of NaN last.
-        let size = |x: f64| x.abs().to_bits();
-        let mut most = 0;
+    /// Copies what is picked of `entries`. `false` if another one is not zero.
+    pub fn copy(&self, entries: &[f64], to: &mut [f64]) -> bool {
+        let mut rest = 0;
         match (&self.components[..], &self.others[..]) {
             (_, []) => to.copy_from_slice(entries),
-            ([], _) => most = entries.iter().fold(0, |most, x| size(*x).max(most)),
+            ([], _) => rest = entries.iter().fold(0, |rest, x| rest | bits(*x)),
             // In a plane and out of it: three components of six.
             (&[a, b, c], &[d, e, f]) => {
                 let (all, _) = entries.as_chunks::<6>();
                 let (to, _) = to.as_chunks_mut::<3>();
                 for (to, all) in to.iter_mut().zip(all) {
                     *to = [all[a], all[b], all[c]];
-                    let others = size(all[d]).max(size(all[e])).max(size(all[f]));
-                    most = most.max(others);
+                    rest |= bits(all[d]) | bits(all[e]) | bits(all[f]);
                 }
             }
             (components, others) => {
@@ -251,11 +216,11 @@ impl Picked {
                     for (to, &component) in to.iter_mut().zip(components) {
                         *to = all[component];
                     }
-                    most = others.iter().fold(most, |most, &o| most.max(size(all[o])));
+                    rest = others.iter().fold(rest, |rest, &o| rest | bits(all[o]));
                 }
             }
         }
-        most <= rounding.to_bits()
+        rest == 0
     }
 }
 
@@ -276,8 +241,8 @@ pub(super) struct Piece {
     pub value: usize,
     /// Values from one column to the next.
     pub stride: usize,
-    /// What is in rows of other parts at most.
-    pub rounding: f64,
+    /// Whether rows of other parts have to be zero.
+    pub alone: bool,
 }
 
 /// Groups that are eliminated: parts of those of a matrix.
@@ -341,7 +306,7 @@ impl Divided {
             length: panel.rows,
             value: panel.value,
             stride: panel.stride,
-            rounding: f64::INFINITY,
+            alone: false,
         });
         Divided {
             groups: structure.groups.clone(),
@@ -385,8 +350,7 @@ impl Divided {
         }
         let mut pieces = Vec::new();
         for panel in &structure.panels {
-            let rounding = parts.rounding(panel.row.0, panel.column.0);
-            pieces.extend(pieces_of(structure, &of_groups, (panel, rounding))?);
+            pieces.extend(pieces_of(structure, &of_groups, panel)?);
         }
         Some(Divided {
             groups,
@@ -401,12 +365,11 @@ impl Divided {
 fn pieces_of(
     structure: &Structure,
     of_groups: &[Vec<PartOfGroup>],
-    (panel, rounding): (&Panel, f64),
+    panel: &Panel,
 ) -> Option<Vec<Piece>> {
     let (row, column) = (panel.row.0, panel.column.0);
     let [of_row, of_column] = [row, column].map(|group| structure.components(group));
     let between = structure.is_border(row) || structure.is_border(column);
-    let rounding = if between { f64::INFINITY } else { rounding };
     let mut pieces = Vec::new();
     for columns in &of_groups[column] {
         let picked = columns.picked(panel.column.1, panel.columns, of_column)?;
@@ -422,7 +385,7 @@ fn pieces_of(
                 length: panel.rows,
                 value: panel.value,
                 stride: panel.stride,
-                rounding,
+                alone: !between,
             });
         };
         let acts = |rows: &&PartOfGroup| between || rows.root == columns.root;

@@ -118,7 +118,7 @@ impl<'a> Sum<'a> {
                 let entries = &self.values[from..][..piece.length];
                 most = most.max(largest(entries));
                 part(row, column, piece.rows.count, &mut |to| {
-                    apart &= piece.rows.copy(entries, to, piece.rounding);
+                    apart &= piece.rows.copy(entries, to) || !piece.alone;
                 });
             }
         }
