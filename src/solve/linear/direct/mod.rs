@@ -141,7 +141,8 @@ impl DirectSolver {
             self.divide(values);
         }
         let mut regular = self.factor_parts(values)?;
-        if regular.is_none() {
+        if regular != Some(true) && self.analysis.places.is_some() {
+            // What one is singular without may be further on.
             self.divide(values);
             regular = self.factor_parts(values)?;
         }
