@@ -16,8 +16,6 @@ use std::fmt::Write;
 /// Points over the period of a motion in a mode: resolves the exponential of turns of a radian to
 /// rounding.
 const GRID_POINTS: usize = 31;
-/// Parts of a mode, relative to its largest, that are rounding.
-const ROUNDING: f64 = 1e-12;
 
 /// Result of a modal analysis.
 #[derive(Debug, Clone)]
@@ -108,12 +106,6 @@ impl Modes {
             instant.period()
         };
         let grid = TimeGrid::new(GRID_POINTS, period)?;
-        // A motion in a plane is to be one, to the last digit.
-        let size = |i: usize| {
-            let all = mode.shape.iter().flat_map(|shape| &shape[i / 3 * 3..][..3]);
-            all.fold(0.0f64, |most, x| most.max(x.norm()))
-        };
-        let rounding: [f64; 6] = std::array::from_fn(|i| ROUNDING * size(i));
         let mut state = GridState::reference(system, grid);
         for k in 0..grid.points() {
             state.copy_point(system, k, still, 0);
@@ -121,10 +113,7 @@ impl Modes {
             let factor = Complex::from_polar(amplitude, phase);
             let now = |x: &Complex<f64>| (factor * x).re;
             for (node, shape) in mode.shape.iter().enumerate() {
-                let increment = Vector6::from_fn(|i, _| match shape[i].norm() > rounding[i] {
-                    true => now(&shape[i]),
-                    false => 0.0,
-                });
+                let increment = Vector6::from_fn(|i, _| now(&shape[i]));
                 let motion = &mut state.motions[node * grid.points() + k];
                 *motion = motion.increment(&increment).renormalised();
             }
