@@ -652,6 +652,32 @@ fn motion_in_a_mode_is_a_solution() {
 }
 
 #[test]
+fn a_motion_in_a_plane_does_not_leave_it() {
+    // Softer in the plane of axes 1 and 2, in which the first mode bends it.
+    let beam = Slender {
+        r: 0.01,
+        soft: 0.3,
+        elements: 3,
+        degree: 4,
+    };
+    let mut model = Model::new();
+    let ids = beam.add(&mut model, 0.0);
+    clamp(&mut model, ids.first_node);
+    let found = modes(&model, 2);
+    for (mode, plane) in [(0, [0, 1, 5]), (1, [0, 2, 4])] {
+        let motion = found.motion(mode, 0.1).unwrap();
+        for node in 0..model.node_count() {
+            let shape = found.shape(mode, node).unwrap();
+            let out = (0..6).filter(|i| !plane.contains(i));
+            assert!(out.clone().all(|i| shape[i] == Complex::default()));
+            let times = [0.1, 0.4];
+            let position = motion.node(node, NodeQuantity::Position, &times).unwrap();
+            assert!(position.chunks(3).all(|x| x[2 - mode] == 0.0));
+        }
+    }
+}
+
+#[test]
 fn overdamped_and_free_motions_have_solutions() {
     let (mut model, joint) = hinged_body(
         1.0,

@@ -19,6 +19,9 @@ use crate::solve::watch::{Stage, Watching};
 use crate::workers::Workers;
 use nalgebra::Complex;
 
+/// Parts of a mode that are rounding, relative to its largest.
+const ROUNDING: f64 = 1e-12;
+
 /// Options of a modal analysis.
 #[derive(Debug, Clone)]
 pub struct ModesOptions {
@@ -247,6 +250,10 @@ fn mode(
     } else {
         pencil.relative_residual(value, &vector)
     };
+    // A motion in a plane is to be one, to the last digit.
+    let (motion, own) = vector.split_at_mut(motions);
+    without_rounding(motion);
+    without_rounding(own);
     let unscaled: Vec<C64> = vector.iter().zip(scales).map(|(x, s)| x * *s).collect();
     let (motion, own) = unscaled.split_at(motions);
     let node = |u: &[C64]| std::array::from_fn(|i| u[i]);
@@ -263,4 +270,14 @@ fn mode(
         shape: motion.chunks_exact(6).map(node).collect(),
         own: own.to_vec(),
     })
+}
+
+/// Puts zero where there is rounding only.
+fn without_rounding(parts: &mut [C64]) {
+    let largest = parts.iter().fold(0.0f64, |most, x| most.max(x.norm()));
+    for x in parts {
+        if x.norm() < ROUNDING * largest {
+            *x = C64::default();
+        }
+    }
 }
