@@ -87,20 +87,25 @@ impl Slender {
             .add_straight_beam(&start, &end, &Vector3::y(), &section, elements, degree)
             .unwrap()
     }
+
+    /// Clamped at its start.
+    fn clamped(&self) -> (Model, BeamIds) {
+        let mut model = Model::new();
+        let ids = self.add(&mut model, 0.0);
+        clamp(&mut model, ids.first_node);
+        (model, ids)
+    }
 }
 
 /// The beam, alike in both directions, on 4 elements of degree 7, clamped at its start.
 fn cantilever(r: f64) -> (Model, BeamIds) {
-    let mut model = Model::new();
     let beam = Slender {
         r,
         soft: 1.0,
         elements: 4,
         degree: 7,
     };
-    let ids = beam.add(&mut model, 0.0);
-    clamp(&mut model, ids.first_node);
-    (model, ids)
+    beam.clamped()
 }
 
 /// Bending frequency of a Timoshenko cantilever near `guess`, with the section above (`soft` = 1).
@@ -591,9 +596,7 @@ fn motion_in_a_mode_is_a_solution() {
         elements: 2,
         degree: 6,
     };
-    let mut model = Model::new();
-    let ids = beam.add(&mut model, 0.0);
-    clamp(&mut model, ids.first_node);
+    let (mut model, ids) = beam.clamped();
     // Prestressed: bent by a load that stays.
     let load = [0.0, 0.4, 0.0, 0.0, 0.0, 0.0];
     add_load(
@@ -660,16 +663,14 @@ fn a_motion_in_a_plane_does_not_leave_it() {
         elements: 3,
         degree: 4,
     };
-    let mut model = Model::new();
-    let ids = beam.add(&mut model, 0.0);
-    clamp(&mut model, ids.first_node);
+    let (model, _) = beam.clamped();
     let found = modes(&model, 2);
     for (mode, plane) in [(0, [0, 1, 5]), (1, [0, 2, 4])] {
         let motion = found.motion(mode, 0.1).unwrap();
         for node in 0..model.node_count() {
             let shape = found.shape(mode, node).unwrap();
-            let out = (0..6).filter(|i| !plane.contains(i));
-            assert!(out.clone().all(|i| shape[i] == Complex::default()));
+            let mut out = (0..6).filter(|i| !plane.contains(i));
+            assert!(out.all(|i| shape[i] == Complex::default()));
             let times = [0.1, 0.4];
             let position = motion.node(node, NodeQuantity::Position, &times).unwrap();
             assert!(position.chunks(3).all(|x| x[2 - mode] == 0.0));
